@@ -1,0 +1,50 @@
+# suture_folder(NAME SOURCES file... HEADERS file... LINK target...)
+# One folder of the flow as a static library suture_NAME, exported as suture::NAME.
+# OCC adds the precompiled header of OCCT's most used headers.
+function(suture_folder name)
+    cmake_parse_arguments(arg "OCC" "" "SOURCES;HEADERS;LINK" ${ARGN})
+    if(arg_SOURCES)
+        add_library(suture_${name} STATIC ${arg_SOURCES})
+        set(scope PUBLIC)
+        target_link_libraries(suture_${name} PRIVATE $<BUILD_INTERFACE:suture_flags>)
+        set_target_properties(suture_${name} PROPERTIES POSITION_INDEPENDENT_CODE ON)
+    else()
+        add_library(suture_${name} INTERFACE)
+        set(scope INTERFACE)
+    endif()
+    add_library(suture::${name} ALIAS suture_${name})
+    set_target_properties(suture_${name} PROPERTIES EXPORT_NAME ${name})
+    target_compile_features(suture_${name} ${scope} cxx_std_20)
+    target_sources(
+        suture_${name} ${scope} FILE_SET HEADERS BASE_DIRS ${SUTURE_INCLUDE_ROOT} FILES
+                                ${arg_HEADERS})
+    target_link_libraries(suture_${name} ${scope} ${arg_LINK})
+    if(arg_OCC)
+        suture_use_occt_header(suture_${name})
+    endif()
+    install(
+        TARGETS suture_${name}
+        EXPORT SutureTargets
+        FILE_SET HEADERS DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+endfunction()
+
+# suture_group(NAME folder...): one name for several folders.
+function(suture_group name)
+    add_library(suture_${name} INTERFACE)
+    add_library(suture::${name} ALIAS suture_${name})
+    set_target_properties(suture_${name} PROPERTIES EXPORT_NAME ${name})
+    list(TRANSFORM ARGN PREPEND suture_)
+    target_link_libraries(suture_${name} INTERFACE ${ARGN})
+    install(TARGETS suture_${name} EXPORT SutureTargets)
+endfunction()
+
+# The precompiled header is built once, by suture_occ, and shared.
+function(suture_use_occt_header target)
+    if(target STREQUAL suture_occ)
+        target_precompile_headers(suture_occ PRIVATE ${PROJECT_SOURCE_DIR}/kernel/suture/occ/pch.h)
+    else()
+        target_precompile_headers(${target} REUSE_FROM suture_occ)
+    endif()
+endfunction()
+
+set(SUTURE_INCLUDE_ROOT ${PROJECT_SOURCE_DIR}/kernel)

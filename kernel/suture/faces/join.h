@@ -1,0 +1,19 @@
+#pragma once
+
+#include <TopoDS_Face.hxx>
+#include <TopoDS_Shape.hxx>
+
+#include <vector>
+
+#include "suture/base/result.h"
+
+namespace suture {
+
+/// The shape with faces added to the shells they close.
+///
+/// Result   same structure; a shell that is closed now becomes a solid with outward orientation,
+///          or stays in the solid that it was in. Everything untouched keeps its TShape.
+[[nodiscard]] Result<TopoDS_Shape> join(const TopoDS_Shape& shape,
+                                        const std::vector<TopoDS_Face>& faces);
+
+}  // namespace suture

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <TopoDS_Face.hxx>
+
+#include <vector>
+
+#include "suture/base/result.h"
+#include "suture/detect/boundary_loop.h"
+#include "suture/model/patch.h"
+#include "suture/model/ribbon.h"
+
+namespace suture {
+
+/// New faces for a hole, built on the hole's own edges and vertices: the edges get a further
+/// pcurve, nothing else of them changes.
+struct NewFaces {
+    std::vector<TopoDS_Face> faces;  ///< oriented outwards
+    double max_gap = 0.0;            ///< largest distance edge to new surface, model units
+};
+
+/// Input    loops: the hole's, in the order of hole.loops; result: what a fill method made of them.
+/// Refuses  a patch whose surface or trimming curves OCCT cannot take.
+[[nodiscard]] Result<NewFaces> make_faces(const std::vector<BoundaryLoop>& loops, const Hole& hole,
+                                          const FillResult& result);
+
+}  // namespace suture

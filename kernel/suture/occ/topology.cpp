@@ -1,0 +1,43 @@
+#include "suture/occ/topology.h"
+
+#include <BRepBndLib.hxx>
+#include <Bnd_Box.hxx>
+#include <TopExp.hxx>
+#include <TopoDS.hxx>
+
+#include <cmath>
+
+namespace suture::occ {
+
+Numbering::Numbering(const TopoDS_Shape& shape) {
+    TopExp::MapShapes(shape, TopAbs_FACE, faces);
+    TopExp::MapShapes(shape, TopAbs_EDGE, edges);
+}
+
+std::vector<TopoDS_Face> faces_of(const TopoDS_Shape& shape) {
+    TopTools_IndexedMapOfShape map;
+    TopExp::MapShapes(shape, TopAbs_FACE, map);
+    std::vector<TopoDS_Face> result;
+    for (const TopoDS_Shape& face : map) {
+        result.push_back(TopoDS::Face(face));
+    }
+    return result;
+}
+
+std::vector<TopoDS_Edge> edges_of(const TopoDS_Shape& shape) {
+    TopTools_IndexedMapOfShape map;
+    TopExp::MapShapes(shape, TopAbs_EDGE, map);
+    std::vector<TopoDS_Edge> result;
+    for (const TopoDS_Shape& edge : map) {
+        result.push_back(TopoDS::Edge(edge));
+    }
+    return result;
+}
+
+double diagonal(const TopoDS_Shape& shape) {
+    Bnd_Box box;
+    BRepBndLib::Add(shape, box, /*useTriangulation=*/Standard_False);
+    return box.IsVoid() ? 0.0 : std::sqrt(box.SquareExtent());
+}
+
+}  // namespace suture::occ

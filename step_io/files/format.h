@@ -1,0 +1,32 @@
+#pragma once
+
+#include <filesystem>
+#include <string_view>
+
+#include "suture/base/result.h"
+
+namespace suture::io {
+
+enum class Format {
+    Step,
+    Iges,
+    BrepText,        ///< OCCT's own, as BRepTools and BinTools write it
+    BrepBinary,
+    BrepFreecad,     ///< FreeCAD's exportBinary: OCCT's binary shape set with its own ending
+    Stl, Off, Obj, ThreeMf,  ///< meshes, for writing only
+};
+
+[[nodiscard]] std::string_view to_string(Format format);
+
+/// The type of a file by its content.
+///
+/// Refuses  (Unreadable) a missing file, a directory, an empty file, an unknown type: each with its
+///          own sentence.
+[[nodiscard]] Result<Format> format_of_content(const std::filesystem::path& file);
+
+/// The type that an output file's extension asks for.
+///
+/// Refuses  (Usage) an unknown extension, listing those that are known.
+[[nodiscard]] Result<Format> format_of_extension(const std::filesystem::path& file);
+
+}  // namespace suture::io

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <TDF_Label.hxx>
+#include <TDocStd_Document.hxx>
+#include <TopTools_DataMapOfShapeShape.hxx>
+#include <TopoDS_Shape.hxx>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "files/format.h"
+#include "suture/occ/handle.h"
+
+namespace suture::io {
+
+/// One part of a model: a shape that stands in the assembly tree, perhaps several times.
+struct Part {
+    TDF_Label label;      ///< in the document
+    std::string name;
+    TopoDS_Shape shape;   ///< in the part's own coordinates
+    int instances = 1;
+};
+
+/// A model with all that a file says of it: shapes, assembly tree, names, colours, layers. Lengths
+/// are millimetres, whatever the file's own unit is; the unit is kept for writing.
+struct ModelFile {
+    occ::Handle<TDocStd_Document> document;
+    Format format = Format::Step;
+    std::filesystem::path path;
+    std::string schema;            ///< STEP: "AP203", "AP214", "AP242"; else empty
+    std::string unit = "MM";       ///< of the file, as OCCT names it: MM, M, INCH, ...
+    double precision = 0.0;        ///< the file's own accuracy in millimetres, 0 if it states none
+
+    /// Every part that holds geometry, each once.
+    [[nodiscard]] std::vector<Part> parts() const;
+
+    /// The whole model as one shape: the free shapes, in a compound if there are several. EdgeN and
+    /// FaceN in messages and reports are its TopExp::MapShapes numbers.
+    [[nodiscard]] TopoDS_Shape shape() const;
+
+    /// Puts another shape in the place of a part's. Names and colours of its faces stay with the
+    /// faces, also where `replaced` says that a face became another one; assemblies are updated.
+    void replace(const Part& part, const TopoDS_Shape& shape,
+                 const TopTools_DataMapOfShapeShape& replaced);
+};
+
+}  // namespace suture::io
