@@ -6,4 +6,4 @@ find_package(spdlog REQUIRED)
 find_package(TBB REQUIRED)
 find_package(nlohmann_json REQUIRED)
 find_package(CLI11 REQUIRED)
-find_package(OpenCASCADE 7.6 REQUIRED)
+find_package(OpenCASCADE REQUIRED) # its version file takes no "7.6 or later"

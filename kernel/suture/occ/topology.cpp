@@ -18,8 +18,8 @@ std::vector<TopoDS_Face> faces_of(const TopoDS_Shape& shape) {
     TopTools_IndexedMapOfShape map;
     TopExp::MapShapes(shape, TopAbs_FACE, map);
     std::vector<TopoDS_Face> result;
-    for (const TopoDS_Shape& face : map) {
-        result.push_back(TopoDS::Face(face));
+    for (int i = 1; i <= map.Extent(); ++i) {
+        result.push_back(TopoDS::Face(map(i)));
     }
     return result;
 }
@@ -28,8 +28,8 @@ std::vector<TopoDS_Edge> edges_of(const TopoDS_Shape& shape) {
     TopTools_IndexedMapOfShape map;
     TopExp::MapShapes(shape, TopAbs_EDGE, map);
     std::vector<TopoDS_Edge> result;
-    for (const TopoDS_Shape& edge : map) {
-        result.push_back(TopoDS::Edge(edge));
+    for (int i = 1; i <= map.Extent(); ++i) {
+        result.push_back(TopoDS::Edge(map(i)));
     }
     return result;
 }
