@@ -25,7 +25,8 @@ function(suture_folder name)
     install(
         TARGETS suture_${name}
         EXPORT SutureTargets
-        FILE_SET HEADERS DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+        FILE_SET HEADERS DESTINATION ${SUTURE_INCLUDE_DESTINATION})
+    set_property(GLOBAL APPEND PROPERTY SUTURE_TARGETS suture_${name}) # for tests/layering
 endfunction()
 
 # suture_group(NAME folder...): one name for several folders.
@@ -48,3 +49,4 @@ function(suture_use_occt_header target)
 endfunction()
 
 set(SUTURE_INCLUDE_ROOT ${PROJECT_SOURCE_DIR}/kernel)
+set(SUTURE_INCLUDE_DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
