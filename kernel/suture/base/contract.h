@@ -15,10 +15,10 @@ class ContractViolation : public std::logic_error {
 }  // namespace suture
 
 /// Checked in release builds too: a stop with a message is better than silently wrong geometry.
-#define SUTURE_EXPECTS(condition)                                                           \
-    do {                                                                                    \
-        if (!(condition)) {                                                                 \
-            throw ::suture::ContractViolation(                                              \
-                fmt::format("{}:{}: expected {}", __FILE__, __LINE__, #condition));         \
-        }                                                                                   \
+#define SUTURE_EXPECTS(condition)                                                   \
+    do {                                                                            \
+        if (!(condition)) {                                                         \
+            throw ::suture::ContractViolation(                                      \
+                fmt::format("{}:{}: expected {}", __FILE__, __LINE__, #condition)); \
+        }                                                                           \
     } while (false)

@@ -1,13 +1,13 @@
 #pragma once
 
-#include <span>
-#include <string_view>
-
 #include "suture/base/progress.h"
 #include "suture/base/result.h"
 #include "suture/base/tolerance.h"
 #include "suture/model/patch.h"
 #include "suture/model/ribbon.h"
+
+#include <span>
+#include <string_view>
 
 namespace suture {
 
@@ -21,11 +21,11 @@ using FillFunction = Result<FillResult> (*)(const Hole&, const FillOptions&);
 
 /// One row of the method table.
 struct FillMethod {
-    std::string_view id;        ///< as given to --method
+    std::string_view id;  ///< as given to --method
     std::string_view title;
-    std::string_view source;    ///< citation
-    std::string_view sides;     ///< how many sides it takes
-    Continuity highest;         ///< the highest continuity it can reach
+    std::string_view source;  ///< citation
+    std::string_view sides;   ///< how many sides it takes
+    Continuity highest;       ///< the highest continuity it can reach
     FillFunction fill;
 };
 

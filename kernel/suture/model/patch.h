@@ -1,12 +1,13 @@
 #pragma once
 
+#include "suture/model/continuity.h"
+#include "suture/model/surface.h"
+
 #include <Eigen/Core>
+
 #include <functional>
 #include <string>
 #include <vector>
-
-#include "suture/model/continuity.h"
-#include "suture/model/surface.h"
 
 namespace suture {
 
@@ -16,11 +17,11 @@ using TrimCurve = std::function<Eigen::Vector2d(double s)>;
 /// One surface trimmed by the hole's loops.
 struct Patch {
     Surface surface;
-    bool reversed = false;  ///< the outward normal is -(X_u x X_v)
-    bool exact = true;      ///< false where the surface approximates the method's own form
-    double fit_error = 0.0; ///< of that approximation, in model units
-    /// trims[l][i]: ribbon i of loop l. Empty where the hole's edges are to be projected onto the
-    /// surface, which closed forms allow exactly.
+    bool reversed = false;   ///< the outward normal is -(X_u x X_v)
+    bool exact = true;       ///< false where the surface approximates the method's own form
+    double fit_error = 0.0;  ///< of that approximation, in model units
+    /// trims[l][i]: where ribbon i of loop l runs in the surface's domain; the interior lies to its
+    /// left, or to its right where `reversed`.
     std::vector<std::vector<TrimCurve>> trims;
 };
 

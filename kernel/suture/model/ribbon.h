@@ -1,13 +1,14 @@
 #pragma once
 
+#include "suture/model/continuity.h"
+#include "suture/model/surface.h"
+
 #include <Eigen/Core>
+
 #include <functional>
 #include <optional>
 #include <string>
 #include <vector>
-
-#include "suture/model/continuity.h"
-#include "suture/model/surface.h"
 
 namespace suture {
 
@@ -23,9 +24,9 @@ namespace suture {
 ///               neighbour
 struct RibbonPoint {
     Eigen::Vector3d point;
-    Eigen::Vector3d tangent;    ///< dP/ds for s in [0,1], in model units
-    Eigen::Vector3d normal;     ///< unit normal of the neighbour, outward of the shell
-    Eigen::Vector3d inward;     ///< unit cross tangent: normal x tangent / |tangent|
+    Eigen::Vector3d tangent;  ///< dP/ds for s in [0,1], in model units
+    Eigen::Vector3d normal;   ///< unit normal of the neighbour, outward of the shell
+    Eigen::Vector3d inward;   ///< unit cross tangent: normal x tangent / |tangent|
     /// Second fundamental form of the neighbour as a symmetric 3 x 3 matrix S with S normal = 0:
     /// II(a, b) = a^T S b for tangent vectors a, b, with the sign of n . X_ij.
     Eigen::Matrix3d curvature;
@@ -41,11 +42,11 @@ struct Support {
 
 /// One side of a hole, from corner i (s = 0) to corner i + 1 (s = 1).
 struct Ribbon {
-    std::function<RibbonPoint(double s)> at;   ///< exact, thread safe
-    Continuity continuity = Continuity::G1;    ///< wanted towards the neighbour
-    std::optional<Support> support;            ///< the neighbour's surface, if it has a closed form
-    int edge = 0;                              ///< source edge, 1-based as EdgeN
-    int face = 0;                              ///< source face, 1-based as FaceN
+    std::function<RibbonPoint(double s)> at;  ///< exact, thread safe
+    Continuity continuity = Continuity::G1;   ///< wanted towards the neighbour
+    std::optional<Support> support;           ///< the neighbour's surface, if it has a closed form
+    int edge = 0;                             ///< source edge, 1-based as EdgeN
+    int face = 0;                             ///< source face, 1-based as FaceN
     /// The curve on its source edge: s runs from the parameter `first` to `last` of the edge's
     /// curve, affinely; first > last where the loop walks the edge backwards.
     double first = 0.0;

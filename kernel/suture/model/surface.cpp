@@ -1,6 +1,9 @@
 #include "suture/model/surface.h"
 
+#include "suture/base/contract.h"
+
 #include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cmath>
 
@@ -13,6 +16,14 @@ template <class... Ts>
 struct Overloaded : Ts... {
     using Ts::operator()...;
 };
+
+/// The frame of a closed form.
+const Frame& frame_of(const Surface& surface) {
+    static const Frame kWorld;
+    return std::visit(Overloaded{[](const SplineSurface&) -> const Frame& { return kWorld; },
+                                 [](const auto& form) -> const Frame& { return form.frame; }},
+                      surface);
+}
 
 /// e(u) = cos u x + sin u y and its derivative.
 struct Spoke {
@@ -72,8 +83,8 @@ double difference(const Sphere& a, const Sphere& b, const Vector3d& /*near*/, do
 
 double difference(const Torus& a, const Torus& b, const Vector3d& /*near*/, double /*reach*/) {
     const double tilt = a.frame.z.cross(b.frame.z).norm();
-    return (a.frame.origin - b.frame.origin).norm() + tilt * a.major +
-           std::abs(a.major - b.major) + std::abs(a.minor - b.minor);
+    return (a.frame.origin - b.frame.origin).norm() + tilt * a.major + std::abs(a.major - b.major) +
+           std::abs(a.minor - b.minor);
 }
 
 double difference(const SplineSurface& a, const SplineSurface& b, const Vector3d& /*near*/,
@@ -98,7 +109,9 @@ bool periodic_u(const Surface& surface) {
            !std::holds_alternative<SplineSurface>(surface);
 }
 
-bool periodic_v(const Surface& surface) { return std::holds_alternative<Torus>(surface); }
+bool periodic_v(const Surface& surface) {
+    return std::holds_alternative<Torus>(surface);
+}
 
 SurfaceJet evaluate(const Surface& surface, double u, double v) {
     const double c = std::cos(v);
@@ -132,6 +145,31 @@ SurfaceJet evaluate(const Surface& surface, double u, double v) {
                                {r * s, r * c, -r * s});
             },
             [&](const SplineSurface& p) { return evaluate(p, u, v); },
+        },
+        surface);
+}
+
+Eigen::Vector2d parameters_of(const Surface& surface, const Vector3d& point) {
+    SUTURE_EXPECTS(!std::holds_alternative<SplineSurface>(surface));
+    // Cylindrical coordinates in the surface's frame: angle, distance from the axis, height.
+    const Frame& frame = frame_of(surface);
+    const Vector3d d = point - frame.origin;
+    const double x = d.dot(frame.x);
+    const double y = d.dot(frame.y);
+    const double r = std::hypot(x, y);
+    const double h = d.dot(frame.z);
+    const double u = std::atan2(y, x);
+    return std::visit(
+        Overloaded{
+            [&](const Plane&) { return Eigen::Vector2d(x, y); },
+            [&](const Cylinder&) { return Eigen::Vector2d(u, h); },
+            [&](const Cone& p) {
+                return Eigen::Vector2d(
+                    u, (r - p.radius) * std::sin(p.half_angle) + h * std::cos(p.half_angle));
+            },
+            [&](const Sphere&) { return Eigen::Vector2d(u, std::atan2(h, r)); },
+            [&](const Torus& p) { return Eigen::Vector2d(u, std::atan2(h, r - p.major)); },
+            [&](const SplineSurface&) { return Eigen::Vector2d(x, y); },
         },
         surface);
 }

@@ -1,10 +1,11 @@
 #pragma once
 
+#include "suture/spline/surface.h"
+
 #include <Eigen/Core>
+
 #include <string_view>
 #include <variant>
-
-#include "suture/spline/surface.h"
 
 namespace suture {
 
@@ -32,7 +33,7 @@ struct Cylinder {
 };
 struct Cone {
     Frame frame;
-    double radius = 1.0;  ///< at the frame's origin
+    double radius = 1.0;      ///< at the frame's origin
     double half_angle = 0.5;  ///< between the axis and the generators, in radians
 };
 struct Sphere {
@@ -56,6 +57,10 @@ using Surface = std::variant<Plane, Cylinder, Cone, Sphere, Torus, SplineSurface
 
 /// Point and derivatives up to order two at the surface's own parameters.
 [[nodiscard]] SurfaceJet evaluate(const Surface& surface, double u, double v);
+
+/// The parameters of the point of a closed form nearest to a given one, by formula; angles in
+/// (-pi, pi], the sphere's v in [-pi/2, pi/2]. Not for B-splines (ContractViolation).
+[[nodiscard]] Eigen::Vector2d parameters_of(const Surface& surface, const Eigen::Vector3d& point);
 
 /// Whether both are the same point set, so that one continues the other.
 ///

@@ -1,5 +1,8 @@
 #pragma once
 
+#include "suture/base/contract.h"
+#include "suture/base/result.h"
+
 #include <Standard_Failure.hxx>
 #include <TopoDS_Shape.hxx>
 
@@ -8,9 +11,6 @@
 #include <string_view>
 #include <type_traits>
 #include <utility>
-
-#include "suture/base/contract.h"
-#include "suture/base/result.h"
 
 namespace suture::occ {
 

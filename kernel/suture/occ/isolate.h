@@ -1,11 +1,11 @@
 #pragma once
 
+#include "suture/base/progress.h"
+#include "suture/base/result.h"
+
 #include <chrono>
 #include <functional>
 #include <string>
-
-#include "suture/base/progress.h"
-#include "suture/base/result.h"
 
 namespace suture::occ {
 

@@ -1,11 +1,11 @@
 #pragma once
 
-#include <string>
-#include <vector>
-
 #include "suture/base/result.h"
 #include "suture/detect/boundary_loop.h"
 #include "suture/model/ribbon.h"
+
+#include <string>
+#include <vector>
 
 namespace suture {
 

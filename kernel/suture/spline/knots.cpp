@@ -1,9 +1,9 @@
 #include "suture/spline/knots.h"
 
+#include "suture/base/contract.h"
+
 #include <algorithm>
 #include <cmath>
-
-#include "suture/base/contract.h"
 
 namespace suture {
 

@@ -1,10 +1,11 @@
 #include "suture/spline/surface.h"
 
-#include <Eigen/Geometry>
-#include <algorithm>
-
 #include "suture/base/contract.h"
 #include "suture/spline/knots.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
 
 namespace suture {
 namespace {
@@ -151,6 +152,58 @@ SplineSurface extended(const SplineSurface& surface, double u0, double u1, doubl
         }
     }
     return result;
+}
+
+SplineSurface transposed(const SplineSurface& surface) {
+    SplineSurface result = surface;
+    std::swap(result.degree_u, result.degree_v);
+    std::swap(result.knots_u, result.knots_v);
+    for (int j = 0; j < surface.count_v(); ++j) {
+        for (int i = 0; i < surface.count_u(); ++i) {
+            result.poles.col(result.index(j, i)) = surface.poles.col(surface.index(i, j));
+            if (surface.rational()) {
+                result.weights[result.index(j, i)] = surface.weights[surface.index(i, j)];
+            }
+        }
+    }
+    return result;
+}
+
+SplineSurface repeated_v(const SplineSurface& surface, int turns, int first) {
+    const int n = surface.count_v();
+    const int q = surface.degree_v;
+    const auto& knots = surface.knots_v;
+    const double period = knots[static_cast<std::size_t>(n)] - knots[static_cast<std::size_t>(q)];
+    const int nu = surface.count_u();
+    SplineSurface result = surface;
+    result.knots_v.assign(knots.begin(), knots.begin() + q + 1);
+    for (int turn = 0; turn < turns; ++turn) {
+        // Each turn brings its inner knots and the next joint, with one knot less than a border.
+        for (int k = q + 1; k < n + q; ++k) {
+            result.knots_v.push_back(knots[static_cast<std::size_t>(k)] + turn * period);
+        }
+    }
+    result.knots_v.push_back(result.knots_v.back());
+    for (double& knot : result.knots_v) {
+        knot -= first * period;
+    }
+    const int rows = (n - 1) * turns + 1;
+    result.poles.resize(3, nu * rows);
+    result.weights.resize(surface.rational() ? nu * rows : 0);
+    for (int j = 0; j < rows; ++j) {
+        const int from = j == rows - 1 ? n - 1 : j % (n - 1);
+        for (int i = 0; i < nu; ++i) {
+            result.poles.col(i + nu * j) = surface.poles.col(surface.index(i, from));
+            if (surface.rational()) {
+                result.weights[i + nu * j] = surface.weights[surface.index(i, from)];
+            }
+        }
+    }
+    return result;
+}
+
+SplineSurface repeated_u(const SplineSurface& surface, int turns, int first) {
+    return transposed(repeated_v(transposed(surface), turns, first));
 }
 
 }  // namespace suture

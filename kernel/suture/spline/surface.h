@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+
 #include <vector>
 
 namespace suture {
@@ -14,8 +15,8 @@ struct SplineSurface {
     int degree_v = 1;
     std::vector<double> knots_u;
     std::vector<double> knots_v;
-    Eigen::Matrix3Xd poles;    ///< 3 x (count_u * count_v), u fastest
-    Eigen::VectorXd weights;   ///< count_u * count_v, or empty when polynomial
+    Eigen::Matrix3Xd poles;   ///< 3 x (count_u * count_v), u fastest
+    Eigen::VectorXd weights;  ///< count_u * count_v, or empty when polynomial
 
     [[nodiscard]] int count_u() const { return static_cast<int>(knots_u.size()) - degree_u - 1; }
     [[nodiscard]] int count_v() const { return static_cast<int>(knots_v.size()) - degree_v - 1; }
@@ -45,5 +46,15 @@ struct SurfaceJet {
 /// go on, exactly (blossoming). Bounds inside the old domain leave that side as it is.
 [[nodiscard]] SplineSurface extended(const SplineSurface& surface, double u0, double u1, double v0,
                                      double v1);
+
+/// A surface that closes on itself, on `turns` of its periods: the same points again and again.
+///
+/// Input    the first and last row of poles (in u, in v) agree; turns >= 1; first: by how many
+///          periods the new domain begins before the old one.
+[[nodiscard]] SplineSurface repeated_u(const SplineSurface& surface, int turns, int first);
+[[nodiscard]] SplineSurface repeated_v(const SplineSurface& surface, int turns, int first);
+
+/// The same surface with u and v exchanged.
+[[nodiscard]] SplineSurface transposed(const SplineSurface& surface);
 
 }  // namespace suture
