@@ -37,7 +37,7 @@ TARGET_OF_FOLDER = {"files": "suture_io"}
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^">]+)[">]', re.MULTILINE)
 OCCT_HEADER = re.compile(r"\.(hxx|lxx|gxx)$")
-OCCT_TOOLKIT = re.compile(r"^TK[A-Z]")
+OCCT_TOOLKIT = re.compile(r"^TK")
 
 
 def folder_of_source(path):

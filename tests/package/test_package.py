@@ -1,0 +1,87 @@
+"""The installed package serves a project outside of this one, and knows nothing of the build."""
+
+import os
+import re
+import shutil
+import subprocess
+import tempfile
+import unittest
+from pathlib import Path
+
+SOURCE = Path(os.environ["SUTURE_SOURCE_DIR"])
+BINARY = Path(os.environ["SUTURE_BINARY_DIR"])
+
+
+def run(*command, **options):
+    done = subprocess.run(
+        [str(word) for word in command],
+        stdin=subprocess.DEVNULL,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.STDOUT,
+        text=True,
+        check=False,
+        **options,
+    )
+    if done.returncode != 0:
+        raise AssertionError(f"{command} ended with {done.returncode}:\n{done.stdout}")
+    return done.stdout
+
+
+class InstalledPackage(unittest.TestCase):
+    def setUp(self):
+        self.folder = Path(tempfile.mkdtemp(prefix="suture_package_"))
+        self.addCleanup(shutil.rmtree, self.folder)
+        installed = self.folder / "installed"
+        run("cmake", "--install", BINARY, "--prefix", installed)
+        # Moved after installing: nothing may depend on the place.
+        self.prefix = self.folder / "moved"
+        installed.rename(self.prefix)
+
+    def test_an_outside_project_builds_with_it_and_runs(self):
+        built = self.folder / "consumer"
+        run(
+            *("cmake", "-S", SOURCE / "tests/package/consumer", "-B", built, "-G", "Ninja"),
+            *(f"-DCMAKE_PREFIX_PATH={self.prefix}", "-DCMAKE_BUILD_TYPE=Release"),
+        )
+        run("cmake", "--build", built)
+
+        methods = run(built / "core_consumer").split()
+        self.assertIn("plane", methods)
+        self.assertIn("extend", methods)
+
+        valid, solids, faces, free_edges, volume = run(built / "kernel_consumer").split()
+        self.assertEqual([valid, solids, faces, free_edges], ["1", "1", "6", "0"])
+        self.assertAlmostEqual(float(volume), 6.0, places=9)
+
+        step = self.folder / "head.step"
+        step.write_text("ISO-10303-21;\nHEADER;\n", encoding="utf-8")
+        self.assertIn("STEP", run(built / "io_consumer", step))
+
+        linked = run("ldd", built / "core_consumer")
+        self.assertNotIn("libTK", linked, "the core knows nothing of OCCT")
+
+    def test_it_names_no_folder_of_the_build_and_no_flag_of_ours(self):
+        files = list(self.prefix.rglob("*.cmake"))
+        self.assertGreaterEqual(len(files), 3)
+        for file in files:
+            text = file.read_text(encoding="utf-8")
+            for path in (str(SOURCE), str(BINARY), str(self.folder)):
+                self.assertNotIn(path, text, file)
+            for flag in ("suture_flags", "-Werror", "-Wall", "-ffp-contract"):
+                self.assertNotIn(flag, re.sub(r"BUILD_INTERFACE:suture_flags", "", text), file)
+
+    def test_every_header_that_an_installed_one_includes_is_there(self):
+        include = self.prefix / "include"
+        headers = sorted(include.rglob("*.h"))
+        self.assertGreater(len(headers), 20)
+        for header in headers:
+            for name in re.findall(r'#include "([^"]+)"', header.read_text(encoding="utf-8")):
+                found = [root for root in (include, include / "suture/step_io") if (root / name).exists()]
+                self.assertTrue(found, f"{header.relative_to(include)} includes {name}")
+
+    def test_the_program_is_installed_and_runs(self):
+        self.assertRegex(run(self.prefix / "bin/suture", "--version"), r"\d+\.\d+\.\d+")
+
+
+if __name__ == "__main__":
+    unittest.main()
