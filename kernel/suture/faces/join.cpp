@@ -1,1 +1,180 @@
-// filled in the next commit
+#include "suture/faces/join.h"
+
+#include "suture/occ/guard.h"
+
+#include <BRepLib.hxx>
+#include <BRep_Builder.hxx>
+#include <BRep_Tool.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopTools_DataMapOfShapeInteger.hxx>
+#include <TopTools_ShapeMapHasher.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_Iterator.hxx>
+#include <TopoDS_Shell.hxx>
+#include <TopoDS_Solid.hxx>
+
+#include <set>
+
+namespace suture {
+namespace {
+
+/// A shell, or a face that belongs to none: what a new face can be added to.
+struct Carrier {
+    TopoDS_Shape shape;
+    int leader = 0;                  ///< the carrier that this one is merged into; itself if none
+    std::vector<TopoDS_Face> added;  ///< at leaders: the new faces
+};
+
+class Joiner {
+  public:
+    Joiner(const TopoDS_Shape& shape, const std::vector<TopoDS_Face>& faces) {
+        for (TopExp_Explorer it(shape, TopAbs_SHELL); it.More(); it.Next()) {
+            add_carrier(it.Current());
+        }
+        for (TopExp_Explorer it(shape, TopAbs_FACE, TopAbs_SHELL); it.More(); it.Next()) {
+            add_carrier(it.Current());
+        }
+        for (const TopoDS_Face& face : faces) {
+            attach(face);
+        }
+    }
+
+    /// The shape with every carrier in its new form.
+    [[nodiscard]] TopoDS_Shape rebuilt(const TopoDS_Shape& shape) const {
+        if (const int* number = carrier_of_.Seek(shape)) {
+            return rebuilt_carrier(*number);
+        }
+        if (shape.ShapeType() > TopAbs_SHELL) {
+            return shape;
+        }
+        bool changed = false;
+        TopoDS_Shape copy = shape.EmptyCopied();
+        for (TopoDS_Iterator it(shape); it.More(); it.Next()) {
+            TopoDS_Shape child = rebuilt(it.Value());
+            changed = changed || !child.IsSame(it.Value());
+            if (!child.IsNull()) {
+                add(copy, shape.ShapeType() == TopAbs_SOLID ? child : as_solid(child));
+            }
+        }
+        if (!changed) {
+            return shape;
+        }
+        return copy.ShapeType() == TopAbs_SOLID ? outward(TopoDS::Solid(copy)) : copy;
+    }
+
+    /// A closed shell as a solid; anything else as it is.
+    [[nodiscard]] static TopoDS_Shape as_solid(const TopoDS_Shape& shape) {
+        if (shape.IsNull() || shape.ShapeType() != TopAbs_SHELL || !BRep_Tool::IsClosed(shape)) {
+            return shape;
+        }
+        TopoDS_Solid solid;
+        BRep_Builder().MakeSolid(solid);
+        add(solid, shape);
+        return outward(solid);
+    }
+
+  private:
+    static void add(TopoDS_Shape& parent, const TopoDS_Shape& child) {
+        BRep_Builder().Add(parent, child);
+    }
+
+    /// The solid with its outside outside: only for one closed shell, since the shells of voids
+    /// face the other way.
+    static TopoDS_Shape outward(TopoDS_Solid solid) {
+        int shells = 0;
+        bool closed = true;
+        for (TopoDS_Iterator it(solid); it.More(); it.Next()) {
+            ++shells;
+            closed = closed && BRep_Tool::IsClosed(it.Value());
+        }
+        if (shells == 1 && closed) {
+            BRepLib::OrientClosedSolid(solid);
+        }
+        return solid;
+    }
+
+    void add_carrier(const TopoDS_Shape& shape) {
+        if (carrier_of_.IsBound(shape)) {
+            return;  // the same shell in the same place twice
+        }
+        const int number = static_cast<int>(carriers_.size());
+        carriers_.push_back({shape, number, {}});
+        carrier_of_.Bind(shape, number);
+        for (TopExp_Explorer it(shape, TopAbs_EDGE); it.More(); it.Next()) {
+            edges_.Bind(it.Current(), number);
+        }
+    }
+
+    Carrier& carrier(int number) { return carriers_[static_cast<std::size_t>(number)]; }
+
+    void attach(const TopoDS_Face& face) {
+        std::set<int> leaders;
+        for (TopExp_Explorer it(face, TopAbs_EDGE); it.More(); it.Next()) {
+            if (const int* number = edges_.Seek(it.Current())) {
+                leaders.insert(carrier(*number).leader);
+            }
+        }
+        SUTURE_EXPECTS(!leaders.empty());  // new faces stand on the shape's own edges
+        const int leader = *leaders.begin();
+        for (Carrier& other : carriers_) {
+            if (other.leader != leader && leaders.contains(other.leader)) {
+                auto& target = carrier(leader).added;
+                target.insert(target.end(), other.added.begin(), other.added.end());
+                other.added.clear();
+                other.leader = leader;
+            }
+        }
+        carrier(leader).added.push_back(face);
+        for (TopExp_Explorer it(face, TopAbs_EDGE); it.More(); it.Next()) {
+            if (!edges_.IsBound(it.Current())) {
+                edges_.Bind(it.Current(), leader);  // for a further new face that meets this one
+            }
+        }
+    }
+
+    [[nodiscard]] TopoDS_Shape rebuilt_carrier(int number) const {
+        const Carrier& self = carriers_[static_cast<std::size_t>(number)];
+        if (self.leader != number) {
+            return {};  // merged into another one
+        }
+        if (self.added.empty()) {
+            return self.shape;
+        }
+        TopoDS_Shape shell;
+        if (self.shape.ShapeType() == TopAbs_SHELL) {
+            shell = self.shape.EmptyCopied();
+        } else {
+            TopoDS_Shell made;
+            BRep_Builder().MakeShell(made);
+            shell = made;
+        }
+        for (const Carrier& member : carriers_) {
+            if (member.leader != number) {
+                continue;
+            }
+            for (TopExp_Explorer it(member.shape, TopAbs_FACE); it.More(); it.Next()) {
+                add(shell, it.Current());
+            }
+        }
+        for (const TopoDS_Face& face : self.added) {
+            add(shell, face);
+        }
+        shell.Closed(BRep_Tool::IsClosed(shell));
+        return shell;
+    }
+
+    std::vector<Carrier> carriers_;
+    TopTools_DataMapOfShapeInteger carrier_of_;
+    TopTools_DataMapOfShapeInteger edges_;
+};
+
+}  // namespace
+
+Result<TopoDS_Shape> join(const TopoDS_Shape& shape, const std::vector<TopoDS_Face>& faces) {
+    return occ::guarded("sewing the new faces in", [&]() -> TopoDS_Shape {
+        const Joiner joiner(shape, faces);
+        return Joiner::as_solid(joiner.rebuilt(shape));
+    });
+}
+
+}  // namespace suture

@@ -1,11 +1,11 @@
 #pragma once
 
+#include "suture/base/result.h"
+
 #include <TopoDS_Face.hxx>
 #include <TopoDS_Shape.hxx>
 
 #include <vector>
-
-#include "suture/base/result.h"
 
 namespace suture {
 

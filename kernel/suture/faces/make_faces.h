@@ -1,13 +1,13 @@
 #pragma once
 
-#include <TopoDS_Face.hxx>
-
-#include <vector>
-
 #include "suture/base/result.h"
 #include "suture/detect/boundary_loop.h"
 #include "suture/model/patch.h"
 #include "suture/model/ribbon.h"
+
+#include <TopoDS_Face.hxx>
+
+#include <vector>
 
 namespace suture {
 
