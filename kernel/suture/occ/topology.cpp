@@ -21,8 +21,7 @@ std::optional<TopLoc_Location> placement_of(const TopoDS_Shape& part, const Topo
     if (whole.IsPartner(part)) {
         return whole.Location() * part.Location().Inverted();
     }
-    // Parts are solids, shells, faces or compounds: what lies below a solid is none.
-    if (whole.ShapeType() == TopAbs_COMPOUND || whole.ShapeType() == part.ShapeType()) {
+    if (whole.ShapeType() == TopAbs_COMPOUND) {  // below a solid or a shell there is no part
         for (TopoDS_Iterator child(whole); child.More(); child.Next()) {
             if (const auto found = placement_of(part, child.Value())) {
                 return found;
