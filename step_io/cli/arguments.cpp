@@ -1,0 +1,200 @@
+#include "cli/arguments.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstring>
+#include <numeric>
+
+namespace suture::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::string_view kListOptions[] = {"--hole", "--holes", "--edge", "--edges"};
+
+/// A range like 1-1000000000 is a slip of the pen, not a list of edges.
+constexpr int kLongestRange = 1'000'000;
+
+bool is_number_list(std::string_view word) {
+    return !word.empty() && word.find_first_not_of("0123456789,+-") == std::string_view::npos &&
+           word[0] >= '0' && word[0] <= '9';
+}
+
+std::vector<std::string_view> split(std::string_view text, char separator) {
+    std::vector<std::string_view> parts;
+    for (;;) {
+        const std::size_t end = text.find(separator);
+        parts.push_back(text.substr(0, end));
+        if (end == std::string_view::npos) {
+            return parts;
+        }
+        text.remove_prefix(end + 1);
+    }
+}
+
+Result<int> parse_number(std::string_view text, std::string_view noun) {
+    int number = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+    if (error != std::errc() || end != text.data() + text.size() || number < 1) {
+        return fail(ErrorCode::Usage,
+                    "'{}' is no number of {}: they are 1, 2, 3, ... as `suture inspect` lists them",
+                    text, noun);
+    }
+    return number;
+}
+
+std::size_t edit_distance(std::string_view a, std::string_view b) {
+    std::vector<std::size_t> row(b.size() + 1);
+    std::iota(row.begin(), row.end(), std::size_t{0});
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        std::size_t diagonal = row[0]++;
+        for (std::size_t j = 0; j < b.size(); ++j) {
+            const std::size_t substituted = diagonal + (a[i] == b[j] ? 0 : 1);
+            diagonal = row[j + 1];
+            row[j + 1] = std::min({row[j + 1] + 1, row[j] + 1, substituted});
+        }
+    }
+    return row.back();
+}
+
+}  // namespace
+
+std::vector<std::string> join_number_lists(const std::vector<std::string>& words) {
+    std::vector<std::string> joined;
+    for (std::size_t i = 0; i < words.size(); ++i) {
+        joined.push_back(words[i]);
+        if (std::find(std::begin(kListOptions), std::end(kListOptions), words[i]) ==
+            std::end(kListOptions)) {
+            continue;
+        }
+        std::string list;
+        while (i + 1 < words.size() && is_number_list(words[i + 1])) {
+            list += (list.empty() ? "" : ",") + words[++i];
+        }
+        if (!list.empty()) {
+            joined.push_back(list);
+        }
+    }
+    return joined;
+}
+
+Result<std::vector<std::vector<int>>> parse_holes(std::string_view text) {
+    std::vector<std::vector<int>> holes;
+    for (const std::string_view entry : split(text, ',')) {
+        std::vector<int>& loops = holes.emplace_back();
+        for (const std::string_view number : split(entry, '+')) {
+            const Result<int> id = parse_number(number, "a hole");
+            if (!id) {
+                return tl::unexpected(id.error());
+            }
+            loops.push_back(*id);
+        }
+    }
+    return holes;
+}
+
+Result<std::vector<int>> parse_edges(std::string_view text) {
+    std::vector<int> edges;
+    for (const std::string_view entry : split(text, ',')) {
+        const std::size_t dash = entry.find('-');
+        const Result<int> first = parse_number(entry.substr(0, dash), "an edge");
+        if (!first) {
+            return tl::unexpected(first.error());
+        }
+        const Result<int> last = dash == std::string_view::npos
+                                     ? first
+                                     : parse_number(entry.substr(dash + 1), "an edge");
+        if (!last) {
+            return tl::unexpected(last.error());
+        }
+        if (*last < *first || *last - *first > kLongestRange) {
+            return fail(ErrorCode::Usage, "'{}' is no range of edges: write it as 15-17", entry);
+        }
+        for (int edge = *first; edge <= *last; ++edge) {
+            edges.push_back(edge);
+        }
+    }
+    return edges;
+}
+
+Result<std::optional<Continuity>> parse_continuity(std::string_view text) {
+    if (text == "auto") {
+        return std::nullopt;
+    }
+    if (text.size() == 2 && (text[0] == 'G' || text[0] == 'g') && text[1] >= '0' &&
+        text[1] <= '2') {
+        return static_cast<Continuity>(text[1] - '0');
+    }
+    return fail(ErrorCode::Usage, "'{}' is no continuity: it is G0, G1, G2 or auto", text);
+}
+
+Result<std::map<int, Continuity>> parse_edge_continuity(std::string_view text) {
+    std::map<int, Continuity> result;
+    for (const std::string_view entry : split(text, ',')) {
+        const std::size_t equals = entry.find('=');
+        if (equals == std::string_view::npos) {
+            return fail(ErrorCode::Usage, "'{}' names no continuity: write it as 12=G2", entry);
+        }
+        const Result<int> edge = parse_number(entry.substr(0, equals), "an edge");
+        if (!edge) {
+            return tl::unexpected(edge.error());
+        }
+        const auto continuity = parse_continuity(entry.substr(equals + 1));
+        if (!continuity) {
+            return tl::unexpected(continuity.error());
+        }
+        if (*continuity) {
+            result[*edge] = **continuity;
+        }
+    }
+    return result;
+}
+
+Result<void> expect_positive(std::string_view option, double value) {
+    if (std::isfinite(value) && value > 0.0) {
+        return {};
+    }
+    return fail(ErrorCode::Usage, "{} must be a positive number, not {}", option, value);
+}
+
+std::optional<std::string_view> nearest(std::string_view name,
+                                        const std::vector<std::string_view>& known) {
+    const auto distance = [&](std::string_view other) { return edit_distance(name, other); };
+    const auto best = std::min_element(known.begin(), known.end(), [&](auto a, auto b) {
+        return distance(a) < distance(b);
+    });
+    // Half of the letters right: below that it is another word, not a slip.
+    if (best == known.end() || 2 * distance(*best) > std::max(name.size(), best->size())) {
+        return std::nullopt;
+    }
+    return *best;
+}
+
+Result<void> expect_writable(std::string_view option, const fs::path& output,
+                             const fs::path& input, bool force) {
+    std::error_code error;
+    if (fs::is_directory(output, error)) {
+        return fail(ErrorCode::Usage, "{} {} is a folder: name a file in it", option,
+                    output.string());
+    }
+    const fs::path folder = output.has_parent_path() ? output.parent_path() : fs::path(".");
+    if (!fs::is_directory(folder, error)) {
+        return fail(ErrorCode::Usage, "{} {}: there is no folder {}: make it first", option,
+                    output.string(), folder.string());
+    }
+    if (access(folder.c_str(), W_OK | X_OK) != 0) {
+        return fail(ErrorCode::Usage, "{} {}: the folder {} takes no new files ({})", option,
+                    output.string(), folder.string(), std::strerror(errno));
+    }
+    if (!force && fs::equivalent(output, input, error)) {
+        return fail(ErrorCode::Usage,
+                    "{} {} is the input itself: name another file, or add --force to replace it",
+                    option, output.string());
+    }
+    return {};
+}
+
+}  // namespace suture::cli

@@ -1,0 +1,25 @@
+#pragma once
+
+#include "cli/load.h"
+#include "suture/fill_holes.h"
+
+#include <vector>
+
+namespace suture::cli {
+
+/// What is to be done with one part of a model.
+struct PartRequest {
+    std::size_t part = 0;  ///< index of its PartLoops
+    FillRequest request;   ///< with ids as they count in the part
+};
+
+/// Divides a request for a whole model into requests for its parts.
+///
+/// Result   only parts with something to fill.
+/// Refuses  (Usage) holes and edges that do not exist, islands from different parts;
+///          (NothingToDo) a model without a hole, with a hint at what it has instead.
+[[nodiscard]] Result<std::vector<PartRequest>> divide_request(const FillRequest& request,
+                                                              const std::vector<PartLoops>& parts,
+                                                              int edges_in_model);
+
+}  // namespace suture::cli

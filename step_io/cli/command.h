@@ -1,0 +1,99 @@
+#pragma once
+
+#include "cli/console.h"
+#include "cli/exit_code.h"
+#include "cli/supervise.h"
+#include "cli/table.h"
+#include "suture/base/progress.h"
+#include "suture/base/result.h"
+
+#include <nlohmann/json.hpp>
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+namespace CLI {
+class App;
+}
+
+namespace suture::cli {
+
+using Json = nlohmann::ordered_json;
+
+/// A part of a report: shown on the terminal, and in full in an HTML report.
+struct Section {
+    std::string heading;
+    Table table;
+    std::vector<std::string> notes;
+};
+
+/// What a command has to say. The terminal, the JSON document and the HTML report all show it.
+struct Outcome {
+    int exit_code = kDone;
+    std::string verdict;  ///< one line
+    std::vector<Section> sections;
+    Json document = Json::object();  ///< without the head that all documents share
+};
+
+/// What a command's run needs of the program around it.
+class Run {
+  public:
+    Run(const StageLine& line, std::stop_token cancel, ProgressStyle style)
+        : line_(line), cancel_(std::move(cancel)), display_(style) {}
+
+    /// Enters a stage and gives the progress that its work reports to.
+    ///
+    /// Input  from, to: what the stage covers of the whole run, in [0,1].
+    [[nodiscard]] Progress stage(Stage stage, std::string what, double from, double to);
+
+    [[nodiscard]] ProgressDisplay& display() { return display_; }
+
+  private:
+    StageLine line_;
+    std::stop_token cancel_;
+    ProgressDisplay display_;
+};
+
+/// Options that every command has.
+struct CommonOptions {
+    bool json = false;
+    bool verbose = false;
+    ProgressStyle progress = ProgressStyle::Auto;
+    double read_timeout = 300.0;  ///< seconds
+    std::vector<std::filesystem::path> reports;
+};
+
+/// One command of the program. `validate` finds what is wrong with the command line itself, before
+/// anything is read; `run` does the work, in the supervised process.
+struct Command {
+    CLI::App* app = nullptr;
+    CommonOptions common;
+    std::filesystem::path input;
+    std::vector<std::filesystem::path> outputs;  ///< known after validate
+    std::function<Result<void>()> validate;
+    std::function<Result<Outcome>(Run&)> run;
+};
+
+[[nodiscard]] std::shared_ptr<Command> add_inspect(CLI::App& app);
+[[nodiscard]] std::shared_ptr<Command> add_fill(CLI::App& app);
+[[nodiscard]] std::shared_ptr<Command> add_check(CLI::App& app);
+[[nodiscard]] std::shared_ptr<Command> add_convert(CLI::App& app);
+[[nodiscard]] std::shared_ptr<Command> add_methods(CLI::App& app);
+[[nodiscard]] std::shared_ptr<Command> add_demo(CLI::App& app);
+
+/// Seconds since the construction.
+class Stopwatch {
+  public:
+    [[nodiscard]] double seconds() const {
+        return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+    }
+
+  private:
+    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+}  // namespace suture::cli

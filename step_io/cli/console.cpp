@@ -1,0 +1,128 @@
+#include "cli/console.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+#include <spdlog/sinks/stdout_sinks.h>
+#include <spdlog/spdlog.h>
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdio>
+
+namespace suture::cli {
+namespace {
+
+/// A bar that changes more often than the eye sees costs time only.
+constexpr std::chrono::milliseconds kRedrawInterval{80};
+constexpr int kBarWidth = 28;
+constexpr int kUsualTerminalWidth = 80;
+constexpr std::string_view kEraseLine = "\r\x1b[K";
+
+void write_all(int file, std::string_view text) {
+    while (!text.empty()) {
+        const ssize_t n = write(file, text.data(), text.size());
+        if (n < 0 && errno == EINTR) {
+            continue;
+        }
+        if (n <= 0) {
+            return;  // nobody reads it
+        }
+        text.remove_prefix(static_cast<std::size_t>(n));
+    }
+}
+
+void print_line(std::string_view prefix, std::string_view message) {
+    std::string line = fmt::format("{}{}", prefix, message);
+    std::replace_if(
+        line.begin(), line.end(),
+        [](char c) { return static_cast<unsigned char>(c) < ' ' || c == '\x7f'; }, ' ');
+    line += '\n';
+    write_all(STDERR_FILENO, line);
+}
+
+int terminal_width() {
+    winsize size{};
+    const bool known = ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0;
+    return known ? size.ws_col : kUsualTerminalWidth;
+}
+
+ProgressStyle resolve(ProgressStyle style) {
+    if (style != ProgressStyle::Auto) {
+        return style;
+    }
+    return isatty(STDERR_FILENO) != 0 ? ProgressStyle::Bar : ProgressStyle::None;
+}
+
+}  // namespace
+
+void print_error(std::string_view message) { print_line("error: ", message); }
+
+void print_warning(std::string_view message) { print_line("warning: ", message); }
+
+ResultStream::ResultStream() : file_(dup(STDOUT_FILENO)) { dup2(STDERR_FILENO, STDOUT_FILENO); }
+
+ResultStream::~ResultStream() {
+    std::fflush(stdout);
+    dup2(file_, STDOUT_FILENO);
+    close(file_);
+}
+
+void ResultStream::print(std::string_view text) const { write_all(file_, text); }
+
+ProgressDisplay::ProgressDisplay(ProgressStyle style) : style_(resolve(style)) {}
+
+ProgressDisplay::~ProgressDisplay() { clear(); }
+
+void ProgressDisplay::show(double fraction, std::string_view stage) {
+    if (style_ == ProgressStyle::None) {
+        return;
+    }
+    const std::lock_guard lock(mutex_);
+    fraction_ = std::clamp(fraction, fraction_, 1.0);
+    const auto now = Clock::now();
+    if (stage == stage_ && now - shown_at_ < kRedrawInterval) {
+        return;
+    }
+    shown_at_ = now;
+    stage_ = stage;
+    draw(fraction_, stage);
+}
+
+void ProgressDisplay::draw(double fraction, std::string_view stage) {
+    if (style_ == ProgressStyle::Json) {
+        const nlohmann::ordered_json line{{"progress", std::round(fraction * 1e4) / 1e4},
+                                          {"stage", stage}};
+        write_all(STDERR_FILENO,
+                  line.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) +
+                      '\n');
+        return;
+    }
+    const int filled = static_cast<int>(fraction * kBarWidth);
+    const std::string bar(static_cast<std::size_t>(filled), '#');
+    std::string line = fmt::format("[{:-<{}}] {:3.0f} %  {}", bar, kBarWidth, 100.0 * fraction,
+                                   stage);
+    line.resize(std::min(line.size(), static_cast<std::size_t>(terminal_width() - 1)));
+    write_all(STDERR_FILENO, std::string(kEraseLine) + line);
+    visible_ = true;
+}
+
+void ProgressDisplay::clear() {
+    const std::lock_guard lock(mutex_);
+    if (visible_) {
+        write_all(STDERR_FILENO, kEraseLine);
+        visible_ = false;
+    }
+}
+
+void set_up_log(bool verbose) {
+    auto logger = spdlog::stderr_logger_mt("suture");
+    const bool terminal = isatty(STDERR_FILENO) != 0;
+    logger->set_pattern((terminal ? std::string(kEraseLine) : std::string()) + "%l: %v");
+    logger->set_level(verbose ? spdlog::level::debug : spdlog::level::warn);
+    logger->flush_on(spdlog::level::debug);
+    spdlog::set_default_logger(std::move(logger));
+}
+
+}  // namespace suture::cli

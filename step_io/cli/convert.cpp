@@ -1,0 +1,139 @@
+#include "cli/convert.h"
+
+#include "cli/arguments.h"
+#include "cli/load.h"
+#include "cli/options.h"
+#include "cli/report_json.h"
+
+#include <fmt/format.h>
+
+namespace suture::cli {
+namespace {
+
+constexpr const char* kDescription =
+    "Convert a model to the format that the output's ending asks for: .step .stp, .iges .igs, .brep "
+    "(and FreeCAD's .bin), or as a watertight mesh .stl .off .obj .3mf, for OpenSCAD's import() and "
+    "3D printing. Names, colours and the assembly tree stay where the format has a place for them.";
+
+constexpr const char* kExamples =
+    "  suture convert part.igs part.step --sew      loose faces become shells and solids\n"
+    "  suture convert part.step part.3mf            a mesh for printing\n"
+    "  suture convert part.step part.stl --deflection 0.01\n"
+    "Exit codes: 0 done, 2 the file cannot be read, 1 wrong usage, 5 the output cannot be written.\n";
+
+struct ConvertOptions {
+    std::filesystem::path output;
+    LoadOptions load{false, std::nullopt};
+    MeshSettings mesh;
+    bool force = false;
+    io::Format format = io::Format::Step;
+};
+
+Result<void> validate(Command& command, ConvertOptions& options) {
+    const Result<io::Format> format = io::format_of_extension(options.output);
+    if (!format) {
+        return tl::unexpected(format.error());
+    }
+    options.format = *format;
+    command.outputs = {options.output};
+    if (options.load.sew_tolerance) {
+        options.load.sew = true;
+    }
+    for (const auto& result :
+         {validate_mesh(options.mesh), validate_sewing(options.load),
+          expect_writable("OUT", options.output, command.input, options.force)}) {
+        if (!result) {
+            return result;
+        }
+    }
+    return {};
+}
+
+Result<Outcome> convert(Run& run, const Command& command, const ConvertOptions& options) {
+    constexpr double kLoaded = 0.6;
+    const Result<LoadedModel> model = load_model(run, command.input, options.load, kLoaded);
+    if (!model) {
+        return tl::unexpected(model.error());
+    }
+    const Stopwatch watch;
+    const Progress progress =
+        run.stage(Stage::Writing, "writing " + options.output.filename().string(), kLoaded, 1.0);
+    const Result<void> written =
+        io::write_model(model->file, options.output, options.format, to_io(options.mesh));
+    if (!written) {
+        return tl::unexpected(written.error());
+    }
+    Outcome outcome;
+    outcome.verdict = fmt::format("wrote {} ({})", options.output.string(),
+                                  io::to_string(options.format));
+    if (model->sewing.changed) {
+        outcome.verdict +=
+            fmt::format("; {} sewn at {} mm, {} left",
+                        counted(model->sewing.loose_faces, "loose face"),
+                        short_number(model->sewing.tolerance),
+                        counted(model->sewing.free_edges_after, "free edge"));
+    }
+    outcome.document = {{"output", options.output.string()},
+                        {"output_format", io::to_string(options.format)},
+                        {"model", json_of(model->file)},
+                        {"sewing", json_of(model->sewing)},
+                        {"seconds",
+                         {{"read", model->seconds_read},
+                          {"sew", model->seconds_sew},
+                          {"write", watch.seconds()}}}};
+    return outcome;
+}
+
+}  // namespace
+
+void add_mesh(CLI::App& app, MeshSettings& mesh) {
+    app.add_option("--deflection", mesh.deflection,
+                   "Meshes: how far facets may lie from the faces (default: a thousandth of the "
+                   "model's diagonal)")
+        ->option_text("MM");
+    app.add_option("--angular-deflection", mesh.angular_deflection,
+                   "Meshes: largest angle between neighbouring facets (default 20)")
+        ->option_text("DEG");
+}
+
+Result<void> validate_mesh(const MeshSettings& mesh) {
+    if (mesh.deflection) {
+        const Result<void> positive = expect_positive("--deflection", *mesh.deflection);
+        if (!positive) {
+            return positive;
+        }
+    }
+    if (mesh.angular_deflection) {
+        return expect_positive("--angular-deflection", *mesh.angular_deflection);
+    }
+    return {};
+}
+
+io::MeshOptions to_io(const MeshSettings& mesh) {
+    io::MeshOptions options;
+    options.deflection = mesh.deflection.value_or(options.deflection);
+    if (mesh.angular_deflection) {
+        options.angular_deflection = radians(*mesh.angular_deflection);
+    }
+    return options;
+}
+
+std::shared_ptr<Command> add_convert(CLI::App& app) {
+    auto command = add_command(app, "convert", kDescription, kExamples);
+    auto options = std::make_shared<ConvertOptions>();
+    add_input(*command);
+    CLI::App& sub = *command->app;
+    sub.add_option("OUT", options->output, "The file to write")->required()->option_text(" ");
+    sub.add_flag("--sew", options->load.sew, "Sew loose faces into shells and solids");
+    sub.add_option("--sew-tolerance", options->load.sew_tolerance,
+                   "Sew loose faces whose edges lie closer than this (default: from the model)")
+        ->option_text("MM");
+    add_mesh(sub, options->mesh);
+    sub.add_flag("--force", options->force, "Allow OUT to be IN itself");
+    Command* self = command.get();
+    command->validate = [options, self] { return validate(*self, *options); };
+    command->run = [options, self](Run& run) { return convert(run, *self, *options); };
+    return command;
+}
+
+}  // namespace suture::cli

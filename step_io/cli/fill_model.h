@@ -1,0 +1,50 @@
+#pragma once
+
+#include "cli/command.h"
+#include "cli/load.h"
+#include "files/write.h"
+#include "suture/check/validity.h"
+#include "suture/fill_holes.h"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace suture::cli {
+
+/// What `fill` is asked for. Hole ids and edge numbers in `request` are the model's.
+struct FillSettings {
+    std::filesystem::path input;
+    std::filesystem::path output;
+    io::Format format = io::Format::Step;
+    LoadOptions load;
+    FillRequest request;
+    io::MeshOptions mesh;
+};
+
+/// Seconds per step, for the report.
+struct FillSeconds {
+    double read = 0.0, detect = 0.0, fill = 0.0, sew = 0.0, check = 0.0, write = 0.0;
+    double reread = 0.0;  ///< the part of `check` that reads the output again
+};
+
+/// What has become of a model. The figures of the holes, and `validity`, are measured on the
+/// output as it is read again, or, if that is a mesh, on the model in memory.
+struct FillSummary {
+    std::vector<HoleReport> holes;
+    std::vector<BoundaryLoop> open;  ///< loops that were not asked for, with the model's ids
+    Validity validity;
+    bool measured_on_file = false;
+    SewingFacts sewing;
+    io::ModelFile file;
+    FillSeconds seconds;
+    std::vector<std::string> notes;
+};
+
+/// Reads a model, fills its holes, writes it, reads it again, and measures.
+///
+/// Refuses  (Usage) holes and edges that do not exist; (NothingToDo) a model without a hole, unless
+///          sewing its loose faces has changed it: then it is written.
+[[nodiscard]] Result<FillSummary> fill_model(Run& run, const FillSettings& settings);
+
+}  // namespace suture::cli

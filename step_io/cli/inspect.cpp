@@ -1,0 +1,181 @@
+#include "cli/load.h"
+#include "cli/options.h"
+#include "cli/report_json.h"
+#include "suture/ribbon/extract.h"
+
+#include <BRepAdaptor_Curve.hxx>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace suture::cli {
+namespace {
+
+constexpr const char* kDescription =
+    "List the holes of a model: which edges and faces bound them, how large they are, and how their "
+    "corners meet. Nothing is changed. Rims of open sheets and unsewn seams are listed apart: they "
+    "are no holes. Loose faces (IGES) are sewn first, in memory; edge and face numbers are then "
+    "those of the sewn model.";
+
+constexpr const char* kExamples =
+    "  suture inspect part.step             the holes of a model\n"
+    "  suture inspect part.step --json      the same for a program\n"
+    "  suture inspect wing.igs --sew-tolerance 0.05\n"
+    "Exit codes: 0 there are holes, 3 there is none, 2 the file cannot be read, 1 wrong usage.\n";
+
+Eigen::Vector3d placed(const Eigen::Vector3d& point, const TopLoc_Location& placement) {
+    gp_Pnt p(point.x(), point.y(), point.z());
+    p.Transform(placement.Transformation());
+    return {p.X(), p.Y(), p.Z()};
+}
+
+/// The corners in the model's coordinates; none, and a note, where the sides have no ribbons.
+std::vector<Corner> corners_in_model(const BoundaryLoop& loop, const TopLoc_Location& placement,
+                                     std::vector<std::string>& notes) {
+    const Result<Hole> hole = extract_hole({loop});
+    if (!hole) {
+        notes.push_back(fmt::format("loop {}: {}", loop.id, hole.error().message));
+        return {};
+    }
+    std::vector<Corner> corners = corners_of(hole->loops.front());
+    for (Corner& corner : corners) {
+        corner.point = placed(corner.point, placement);
+    }
+    return corners;
+}
+
+std::string edges_of_loop(const BoundaryLoop& loop) {
+    std::vector<int> edges;
+    for (const BoundaryEdge& side : loop.edges) {
+        edges.push_back(side.edge_number);
+    }
+    return ranges(std::move(edges));
+}
+
+std::string neighbours_of(const BoundaryLoop& loop) {
+    std::vector<int> faces;
+    for (const BoundaryEdge& side : loop.edges) {
+        faces.push_back(side.face_number);
+    }
+    std::sort(faces.begin(), faces.end());
+    faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+    return ranges(std::move(faces));
+}
+
+/// The table of the holes, or of the loops that are none.
+class LoopTables {
+  public:
+    void add(const BoundaryLoop& loop, const io::Part& part, const std::vector<Corner>& corners) {
+        const bool is_hole = loop.kind == LoopKind::Hole;
+        ++(is_hole ? holes_ : others_);
+        double mismatch = 0.0;
+        for (const Corner& corner : corners) {
+            mismatch = std::max(mismatch, corner.normal_mismatch);
+        }
+        const std::string where =
+            part.instances > 1 ? fmt::format("{} (x{})", part.name, part.instances) : part.name;
+        if (is_hole) {
+            hole_table_.add({std::to_string(loop.id), std::to_string(loop.edges.size()),
+                             short_number(loop.diameter), loop.planar ? "yes" : "no",
+                             corners.empty() ? "-" : short_number(degrees(mismatch)),
+                             edges_of_loop(loop), neighbours_of(loop), where});
+        } else {
+            other_table_.add({std::to_string(loop.id), std::string(to_string(loop.kind)),
+                              std::to_string(loop.edges.size()), short_number(loop.diameter),
+                              edges_of_loop(loop), where, loop.reason});
+        }
+    }
+
+    [[nodiscard]] int holes() const { return holes_; }
+    [[nodiscard]] int others() const { return others_; }
+
+    [[nodiscard]] std::vector<Section> sections(std::vector<std::string> notes) && {
+        std::vector<Section> sections;
+        if (holes_ > 0) {
+            sections.push_back({"Holes", std::move(hole_table_), {}});
+        }
+        if (others_ > 0) {
+            sections.push_back({"Other loops", std::move(other_table_), {}});
+        }
+        if (!notes.empty()) {
+            sections.push_back({"Notes", Table({}), std::move(notes)});
+        }
+        return sections;
+    }
+
+  private:
+    Table hole_table_{{">hole", ">sides", ">diameter", "planar", ">corner mismatch [deg]", "edges",
+                       "neighbours", "part"}};
+    Table other_table_{{">loop", "kind", ">sides", ">diameter", "edges", "part", "why"}};
+    int holes_ = 0;
+    int others_ = 0;
+};
+
+std::string verdict_of(const LoopTables& tables, const LoadedModel& model) {
+    std::string verdict = tables.holes() > 0 ? counted(tables.holes(), "hole") : "no hole";
+    if (tables.others() > 0) {
+        verdict += ", " + counted(tables.others(), "other loop");
+    }
+    if (model.sewing.changed) {
+        verdict += fmt::format("; {} sewn at {} mm in memory",
+                               counted(model.sewing.loose_faces, "loose face"),
+                               short_number(model.sewing.tolerance));
+    }
+    return verdict;
+}
+
+Result<Outcome> inspect(Run& run, const Command& command, const LoadOptions& options) {
+    // Reading takes most of the time.
+    constexpr double kLoaded = 0.8;
+    const Result<LoadedModel> model = load_model(run, command.input, options, kLoaded);
+    if (!model) {
+        return tl::unexpected(model.error());
+    }
+    const Stopwatch watch;
+    const Progress progress = run.stage(Stage::Finding, "finding holes", kLoaded, 1.0);
+    const Result<std::vector<PartLoops>> parts = find_model_loops(*model);
+    if (!parts) {
+        return tl::unexpected(parts.error());
+    }
+    LoopTables tables;
+    std::vector<std::string> notes;
+    Json holes = Json::array();
+    for (const PartLoops& part : *parts) {
+        for (const BoundaryLoop& loop : part.loops) {
+            const std::vector<Corner> corners = corners_in_model(loop, part.placement, notes);
+            tables.add(loop, part.part, corners);
+            holes.push_back(json_of(loop, part.part, corners));
+        }
+    }
+    Outcome outcome;
+    outcome.exit_code = tables.holes() > 0 ? kDone : kNothingToDo;
+    outcome.verdict = verdict_of(tables, *model);
+    outcome.document = {{"model", json_of(model->file)},
+                        {"sewing", json_of(model->sewing)},
+                        {"holes", holes},
+                        {"hole_count", tables.holes()},
+                        {"notes", notes},
+                        {"seconds",
+                         {{"read", model->seconds_read},
+                          {"sew", model->seconds_sew},
+                          {"detect", watch.seconds()}}}};
+    outcome.sections = std::move(tables).sections(std::move(notes));
+    return outcome;
+}
+
+}  // namespace
+
+std::shared_ptr<Command> add_inspect(CLI::App& app) {
+    auto command = add_command(app, "inspect", kDescription, kExamples);
+    auto options = std::make_shared<LoadOptions>();
+    add_input(*command);
+    add_reports(*command);
+    add_sewing(*command, *options);
+    command->validate = [options] { return validate_sewing(*options); };
+    const Command* self = command.get();
+    command->run = [options, self](Run& run) { return inspect(run, *self, *options); };
+    return command;
+}
+
+}  // namespace suture::cli

@@ -1,0 +1,97 @@
+#include "cli/load.h"
+
+#include "files/read.h"
+#include "suture/detect/find_loops.h"
+
+#include <spdlog/spdlog.h>
+
+#include <algorithm>
+
+namespace suture::cli {
+namespace {
+
+/// How the time of loading divides into reading and sewing, roughly.
+constexpr double kReadingShare = 0.8;
+
+Result<void> sew(LoadedModel& model, double tolerance) {
+    for (const io::Part& part : model.file.parts()) {
+        const Result<SewnShape> sewn = sew_loose(part.shape, tolerance);
+        if (!sewn) {
+            return tl::unexpected(sewn.error());
+        }
+        if (!sewn->changed) {
+            continue;
+        }
+        SewingFacts& facts = model.sewing;
+        facts.changed = true;
+        facts.loose_faces += sewn->loose_faces;
+        facts.free_edges_before += sewn->free_edges_before;
+        facts.free_edges_after += sewn->free_edges_after;
+        facts.tolerance = std::max(facts.tolerance, sewn->tolerance);
+        facts.largest_gap = std::max(facts.largest_gap, sewn->largest_gap);
+        model.file.replace(part, sewn->shape, sewn->replaced);
+        spdlog::info("sewed {} loose faces of '{}' at {:g} mm", sewn->loose_faces, part.name,
+                     sewn->tolerance);
+    }
+    return {};
+}
+
+}  // namespace
+
+Result<LoadedModel> load_model(Run& run, const std::filesystem::path& file,
+                               const LoadOptions& options, double to) {
+    const Stopwatch reading;
+    const Progress progress = run.stage(Stage::Reading, "reading " + file.filename().string(), 0.0,
+                                        to * kReadingShare);
+    Result<io::ModelFile> read = io::read_model(file, progress);
+    if (!read) {
+        return tl::unexpected(read.error());
+    }
+    LoadedModel model;
+    model.file = std::move(*read);
+    model.seconds_read = reading.seconds();
+    spdlog::info("read {} in {:.2f} s", file.string(), model.seconds_read);
+    if (options.sew) {
+        const Stopwatch sewing;
+        const Progress sewing_progress =
+            run.stage(Stage::Finding, "sewing loose faces", to * kReadingShare, to);
+        const Result<void> sewn = sew(model, options.sew_tolerance.value_or(0.0));
+        if (!sewn) {
+            return tl::unexpected(sewn.error());
+        }
+        model.seconds_sew = sewing.seconds();
+    }
+    model.whole = model.file.shape();
+    return model;
+}
+
+Result<std::vector<PartLoops>> find_model_loops(const LoadedModel& model) {
+    const occ::Numbering whole(model.whole);
+    std::vector<PartLoops> result;
+    int ids = 0;
+    for (io::Part& part : model.file.parts()) {
+        const auto placement = occ::placement_of(part.shape, model.whole);
+        if (!placement) {
+            return fail(ErrorCode::Internal, "part '{}' stands nowhere in its own model",
+                        part.name);
+        }
+        PartLoops found{std::move(part), *placement, {}, {}, ids};
+        found.numbering = occ::numbering_of_part(whole, found.part.shape, *placement);
+        Result<std::vector<BoundaryLoop>> loops = find_loops(found.part.shape, found.numbering);
+        if (!loops) {
+            return tl::unexpected(loops.error());
+        }
+        found.loops = std::move(*loops);
+        for (BoundaryLoop& loop : found.loops) {
+            loop.id += found.ids_before;
+            for (int& other : loop.islands_with) {
+                other += found.ids_before;
+            }
+        }
+        ids += static_cast<int>(found.loops.size());
+        result.push_back(std::move(found));
+    }
+    return result;
+}
+
+}  // namespace suture::cli

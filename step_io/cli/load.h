@@ -1,0 +1,58 @@
+#pragma once
+
+#include "cli/command.h"
+#include "files/model_file.h"
+#include "suture/detect/boundary_loop.h"
+#include "suture/detect/sew_loose.h"
+#include "suture/occ/topology.h"
+
+#include <TopLoc_Location.hxx>
+#include <TopoDS_Shape.hxx>
+
+#include <filesystem>
+#include <optional>
+#include <vector>
+
+namespace suture::cli {
+
+struct LoadOptions {
+    bool sew = true;                      ///< loose faces into shells
+    std::optional<double> sew_tolerance;  ///< none: from the model
+};
+
+/// What sewing has done to the whole model.
+struct SewingFacts {
+    bool changed = false;
+    int loose_faces = 0;
+    int free_edges_before = 0;
+    int free_edges_after = 0;
+    double tolerance = 0.0;
+    double largest_gap = 0.0;
+};
+
+/// A model as read, its loose faces sewn.
+struct LoadedModel {
+    io::ModelFile file;
+    TopoDS_Shape whole;  ///< file.shape() after sewing: EdgeN and FaceN are its numbers
+    SewingFacts sewing;
+    double seconds_read = 0.0;
+    double seconds_sew = 0.0;
+};
+
+/// Reads a model and sews its loose faces. Takes the part [0, to] of the run's progress.
+[[nodiscard]] Result<LoadedModel> load_model(Run& run, const std::filesystem::path& file,
+                                             const LoadOptions& options, double to);
+
+/// One part of a model with its boundary loops, in the part's own coordinates.
+struct PartLoops {
+    io::Part part;
+    TopLoc_Location placement;       ///< of its first instance in the model
+    occ::Numbering numbering;        ///< the model's, for the part's own shapes
+    std::vector<BoundaryLoop> loops; ///< with ids that count through the whole model
+    int ids_before = 0;              ///< id in the model = id in the part + ids_before
+};
+
+/// The boundary loops of every part, each part once however often it stands in the model.
+[[nodiscard]] Result<std::vector<PartLoops>> find_model_loops(const LoadedModel& model);
+
+}  // namespace suture::cli

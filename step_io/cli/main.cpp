@@ -1,0 +1,217 @@
+#include "cli/command.h"
+#include "cli/arguments.h"
+#include "cli/options.h"
+#include "cli/report_html.h"
+#include "cli/report_json.h"
+#include "cli/text_file.h"
+#include "suture/occ/guard.h"
+
+#include <Message.hxx>
+#include <Message_Messenger.hxx>
+
+#include <fmt/format.h>
+#include <spdlog/spdlog.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <cstring>
+
+namespace suture::cli {
+namespace {
+
+constexpr const char* kAbout =
+    "Suture closes the holes of a CAD model with smooth faces.\n"
+    "It reads STEP, IGES and BREP, and writes these and meshes (STL, OFF, OBJ, 3MF).";
+
+constexpr const char* kFooter =
+    "First steps:\n"
+    "  suture demo                                fill the bundled examples and look at the report\n"
+    "  suture inspect part.step                   which holes are there?\n"
+    "  suture fill part.step -o filled.step       fill them all\n"
+    "  suture check filled.step                   how smooth did it get?\n"
+    "Each command has its own help with examples: suture fill --help\n"
+    "Exit codes: 0 done, 1 wrong usage, 2 unreadable input, 3 nothing to do, 4 done but out of\n"
+    "tolerance or some hole refused, 5 internal error or output not written, 130/143 interrupted.";
+
+/// More rows than a screen has are no help; the reports have them all.
+constexpr std::size_t kTerminalRows = 25;
+
+std::string text_of(const Outcome& outcome) {
+    std::string text;
+    for (const Section& section : outcome.sections) {
+        text += section.heading.empty() ? "" : section.heading + '\n';
+        const std::vector<std::vector<std::string>>& rows = section.table.rows();
+        Table shown(section.table);
+        if (rows.size() > kTerminalRows) {
+            shown.keep_first(kTerminalRows);
+        }
+        text += rows.empty() ? "" : shown.text();
+        if (rows.size() > kTerminalRows) {
+            text += fmt::format("... and {} more: --json and --report R.html have them all\n",
+                                rows.size() - kTerminalRows);
+        }
+        for (const std::string& note : section.notes) {
+            text += "  " + note + '\n';
+        }
+        text += '\n';
+    }
+    return text + outcome.verdict + '\n';
+}
+
+Result<void> write_reports(const Command& command, const Outcome& outcome) {
+    for (const auto& report : command.common.reports) {
+        const std::string text = report.extension() == ".html"
+                                     ? html_report(command, outcome)
+                                     : to_text(whole_document(command, outcome));
+        const Result<void> written = write_text_file(report, text);
+        if (!written) {
+            return written;
+        }
+    }
+    return {};
+}
+
+/// One line on stderr, and with --json the document that says the same.
+int print_failure(const Command& command, const Error& error, int code,
+                  const std::function<void(std::string_view)>& print) {
+    print_error(error.message);
+    if (command.common.json) {
+        print(to_text(error_document(command, error, code)));
+    }
+    return code;
+}
+
+/// OCCT says on stdout what it likes; here it says it on stderr, and only if asked.
+void silence_occt(bool verbose) {
+    if (!verbose) {
+        Message::DefaultMessenger()->ChangePrinters().Clear();
+    }
+}
+
+/// The job: in the supervised process.
+int run_job(Command& command, const StageLine& line, std::stop_token cancel) {
+    const ResultStream out;
+    set_up_log(command.common.verbose);
+    Run run(line, std::move(cancel), command.common.progress);
+    const Result<Outcome> outcome = occ::guarded(
+        std::string("suture ") + command.app->get_name(), [&]() -> Result<Outcome> {
+            silence_occt(command.common.verbose);
+            Result<Outcome> result = command.run(run);
+            if (result) {
+                const Result<void> written = write_reports(command, *result);
+                if (!written) {
+                    return tl::unexpected(written.error());
+                }
+            }
+            return result;
+        });
+    run.display().clear();
+    if (!outcome) {
+        return print_failure(command, outcome.error(), exit_code(outcome.error().code),
+                             [&](std::string_view text) { out.print(text); });
+    }
+    out.print(command.common.json ? to_text(whole_document(command, *outcome)) : text_of(*outcome));
+    return outcome->exit_code;
+}
+
+/// What is said of a job that did not end by itself.
+Error error_of(const Command& command, const Ending& ending) {
+    const std::string file = command.input.string();
+    const bool reading = ending.stage == Stage::Reading;
+    switch (ending.kind) {
+        case Ending::Kind::Crashed:
+            if (reading) {
+                return {ErrorCode::Unreadable,
+                        fmt::format("{}: OCCT's reader crashed ({}) while {}: the file is damaged, "
+                                    "or hits a bug in OCCT",
+                                    file, strsignal(ending.code), ending.what)};
+            }
+            return {ErrorCode::Internal,
+                    fmt::format("{}: the program crashed ({}) while {}; nothing was written", file,
+                                strsignal(ending.code), ending.what)};
+        case Ending::Kind::ReadTimeout:
+            return {ErrorCode::Unreadable,
+                    fmt::format("{}: reading took longer than {:g} s; give it more time with "
+                                "--read-timeout if the file is large",
+                                file, command.common.read_timeout)};
+        case Ending::Kind::NotStarted:
+            return {ErrorCode::Internal,
+                    fmt::format("the system gives no new process: {}", strsignal(ending.code))};
+        case Ending::Kind::Interrupted:
+        case Ending::Kind::Exited:
+            break;
+    }
+    return {ErrorCode::Cancelled, fmt::format("interrupted while {}; nothing was written",
+                                              ending.what)};
+}
+
+int supervised(Command& command) {
+    const std::chrono::milliseconds read_limit(
+        static_cast<std::int64_t>(std::ceil(1000.0 * command.common.read_timeout)));
+    const Ending ending = supervise(read_limit, [&](const StageLine& line, std::stop_token cancel) {
+        return run_job(command, line, std::move(cancel));
+    });
+    if (ending.kind == Ending::Kind::Exited) {
+        return ending.code;
+    }
+    for (const auto& output : command.outputs) {
+        remove_temporaries(output);
+    }
+    for (const auto& report : command.common.reports) {
+        remove_temporaries(report);
+    }
+    const Error error = error_of(command, ending);
+    constexpr int kSignalBase = 128;  // as shells have it
+    const int code = ending.kind == Ending::Kind::Interrupted ? kSignalBase + ending.code
+                                                              : exit_code(error.code);
+    return print_failure(command, error, code, [](std::string_view text) {
+        [[maybe_unused]] const ssize_t written = write(STDOUT_FILENO, text.data(), text.size());
+    });
+}
+
+int run_program(const std::vector<std::string>& words) {
+    CLI::App app(kAbout, "suture");
+    app.set_version_flag("--version", "suture " SUTURE_VERSION);
+    app.footer(kFooter);
+    app.require_subcommand(1);
+    app.get_formatter()->column_width(34);
+    const std::vector<std::shared_ptr<Command>> commands{
+        add_inspect(app), add_fill(app),    add_check(app),
+        add_convert(app), add_methods(app), add_demo(app)};
+    try {
+        std::vector<std::string> reversed = join_number_lists(words);
+        std::reverse(reversed.begin(), reversed.end());  // as CLI11 wants them
+        app.parse(std::move(reversed));
+    } catch (const CLI::ParseError& error) {
+        if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success)) {
+            return app.exit(error);  // --help, --version
+        }
+        print_error(std::string(error.what()) + "; see suture --help");
+        return kUsage;
+    }
+    for (const auto& command : commands) {
+        if (!command->app->parsed()) {
+            continue;
+        }
+        Result<void> valid = command->validate();
+        if (valid) {
+            valid = validate_common(*command);
+        }
+        if (!valid) {
+            return print_failure(*command, valid.error(), kUsage, [](std::string_view text) {
+                [[maybe_unused]] const ssize_t written =
+                    write(STDOUT_FILENO, text.data(), text.size());
+            });
+        }
+        return supervised(*command);
+    }
+    return kUsage;
+}
+
+}  // namespace
+}  // namespace suture::cli
+
+int main(int argc, char** argv) {
+    const std::vector<std::string> words(argv + std::min(1, argc), argv + argc);
+    return suture::cli::run_program(words);
+}

@@ -1,0 +1,93 @@
+#include "cli/options.h"
+
+#include "cli/arguments.h"
+
+namespace suture::cli {
+
+std::shared_ptr<Command> add_command(CLI::App& app, const std::string& name,
+                                     const std::string& description, const std::string& examples) {
+    auto command = std::make_shared<Command>();
+    command->app = app.add_subcommand(name, description);
+    command->app->footer("Examples:\n" + examples);
+    CommonOptions& common = command->common;
+    command->app->add_flag("--json", common.json,
+                           "Print one JSON document on stdout, and nothing else there");
+    command->app
+        ->add_option("--progress", common.progress,
+                     "How to show progress on stderr: auto (a bar on a terminal), bar, json (a line "
+                     "of JSON per step) or none")
+        ->transform(CLI::CheckedTransformer(
+            std::map<std::string, ProgressStyle>{{"auto", ProgressStyle::Auto},
+                                                 {"none", ProgressStyle::None},
+                                                 {"bar", ProgressStyle::Bar},
+                                                 {"json", ProgressStyle::Json}}))
+        ->option_text("STYLE");
+    command->app->add_flag("-v,--verbose", common.verbose,
+                           "Say on stderr what is being done, OCCT's own messages included");
+    command->validate = [] { return Result<void>(); };
+    return command;
+}
+
+void add_input(Command& command) {
+    command.app
+        ->add_option("IN", command.input,
+                     "The model: STEP, IGES, BREP or FreeCAD's binary BREP; told by its content")
+        ->required()
+        ->option_text(" ");
+    command.app
+        ->add_option("--read-timeout", command.common.read_timeout,
+                     "Give up reading a file after so many seconds (default 300)")
+        ->option_text("SECONDS");
+}
+
+void add_reports(Command& command) {
+    command.app
+        ->add_option("--report", command.common.reports,
+                     "Write the report to a file too: R.html to look at, R.json for programs; can "
+                     "be given twice")
+        ->option_text("FILE")
+        ->expected(1)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+}
+
+void add_sewing(Command& command, LoadOptions& options) {
+    command.app
+        ->add_option("--sew-tolerance", options.sew_tolerance,
+                     "Sew loose faces whose edges lie closer than this (default: from the model)")
+        ->option_text("MM");
+    command.app->add_flag("!--no-sew", options.sew, "Leave loose faces as they are");
+}
+
+Result<void> validate_sewing(const LoadOptions& options) {
+    if (options.sew_tolerance) {
+        return expect_positive("--sew-tolerance", *options.sew_tolerance);
+    }
+    return {};
+}
+
+Result<void> validate_common(const Command& command) {
+    const Result<void> positive = expect_positive("--read-timeout", command.common.read_timeout);
+    if (!positive) {
+        return positive;
+    }
+    for (const auto& report : command.common.reports) {
+        const auto extension = report.extension();
+        if (extension != ".json" && extension != ".html") {
+            return fail(ErrorCode::Usage, "--report {}: give it the ending .json or .html",
+                        report.string());
+        }
+        const auto writable = expect_writable("--report", report, command.input, /*force=*/false);
+        if (!writable) {
+            return writable;
+        }
+        for (const auto& output : command.outputs) {
+            if (output.lexically_normal() == report.lexically_normal()) {
+                return fail(ErrorCode::Usage, "--report {} is the output itself: name another file",
+                            report.string());
+            }
+        }
+    }
+    return {};
+}
+
+}  // namespace suture::cli

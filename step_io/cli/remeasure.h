@@ -1,0 +1,28 @@
+#pragma once
+
+#include "cli/load.h"
+#include "suture/base/progress.h"
+#include "suture/fill_holes.h"
+
+#include <string>
+#include <vector>
+
+namespace suture::cli {
+
+/// A part and what became of it.
+struct FilledPart {
+    const PartLoops* before = nullptr;
+    FillOutcome outcome;
+};
+
+/// Measures the filled holes once more, on another copy of the model, as it is after writing and
+/// reading say: the new faces are found again by their vertices, area and centroid, the sides by
+/// length and centroid, because the order of a file is not that of the model.
+///
+/// Result   the figures, the judgement and the face numbers in parts[].outcome.holes are those of
+///          `shape`; a hole that is not found again keeps no figures, is out of tolerance, and its
+///          notes say so.
+[[nodiscard]] Result<void> remeasure(const TopoDS_Shape& shape, std::vector<FilledPart>& parts,
+                                     const Tolerance& tolerance, const Progress& progress);
+
+}  // namespace suture::cli

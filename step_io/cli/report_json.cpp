@@ -1,0 +1,193 @@
+#include "cli/report_json.h"
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <array>
+
+namespace suture::cli {
+namespace {
+
+template <class T>
+Json strings_of(const std::vector<T>& values) {
+    Json array = Json::array();
+    for (const auto& value : values) {
+        array.push_back(value);
+    }
+    return array;
+}
+
+Json json_of(const PatchFacts& patch) {
+    return {{"kind", patch.kind},         {"face", patch.face},
+            {"degree_u", patch.degree_u}, {"degree_v", patch.degree_v},
+            {"poles_u", patch.poles_u},   {"poles_v", patch.poles_v},
+            {"rational", patch.rational}, {"exact", patch.exact},
+            {"fit_error", patch.fit_error}};
+}
+
+Json json_of(const SideReport& side) {
+    return {{"edge", side.edge},
+            {"face", side.face},
+            {"continuity_requested", to_string(side.requested)},
+            {"reason", side.reason},
+            {"max_gap", side.gap},
+            {"max_angle_deg", degrees(side.angle)},
+            {"max_curvature_mismatch", side.curvature_mismatch}};
+}
+
+template <class T>
+Json array_of(const std::vector<T>& values) {
+    Json array = Json::array();
+    for (const T& value : values) {
+        array.push_back(json_of(value));
+    }
+    return array;
+}
+
+}  // namespace
+
+Json document_head(const Command& command) {
+    Json head{{"schema", kSchema},
+              {"program", "suture"},
+              {"version", SUTURE_VERSION},
+              {"command", command.app->get_name()}};
+    if (!command.input.empty()) {
+        head["input"] = command.input.string();
+    }
+    return head;
+}
+
+std::string to_text(const Json& document) {
+    return document.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
+}
+
+Json whole_document(const Command& command, const Outcome& outcome) {
+    Json document = document_head(command);
+    document["exit_code"] = outcome.exit_code;
+    document["verdict"] = outcome.verdict;
+    document.update(outcome.document);
+    return document;
+}
+
+Json error_document(const Command& command, const Error& error, int exit_code) {
+    Json document = document_head(command);
+    document["exit_code"] = exit_code;
+    document["verdict"] = error.message;
+    document["error"] = {{"code", to_string(error.code)}, {"message", error.message}};
+    return document;
+}
+
+Json json_of(const Eigen::Vector3d& point) { return {point.x(), point.y(), point.z()}; }
+
+Json json_of(const io::ModelFile& file) {
+    Json json{{"format", io::to_string(file.format)}, {"unit", file.unit}};
+    if (!file.schema.empty()) {
+        json["step_schema"] = file.schema;
+    }
+    return json;
+}
+
+Json json_of(const SewingFacts& sewing) {
+    return {{"changed", sewing.changed},
+            {"loose_faces", sewing.loose_faces},
+            {"tolerance", sewing.tolerance},
+            {"largest_gap", sewing.largest_gap},
+            {"free_edges_before", sewing.free_edges_before},
+            {"free_edges_after", sewing.free_edges_after}};
+}
+
+Json json_of(const Validity& validity) {
+    return {{"closed", validity.closed},
+            {"valid", validity.valid},
+            {"free_edges", validity.free_edges},
+            {"solids", validity.solids},
+            {"shells", validity.shells},
+            {"faces", validity.faces},
+            {"max_tolerance", validity.max_tolerance},
+            {"volume", validity.volume},
+            {"problems", strings_of(validity.problems)}};
+}
+
+Json json_of(const BoundaryLoop& loop, const io::Part& part, const std::vector<Corner>& corners) {
+    std::vector<int> edges;
+    std::vector<int> faces;
+    for (const BoundaryEdge& side : loop.edges) {
+        edges.push_back(side.edge_number);
+        faces.push_back(side.face_number);
+    }
+    Json corner_list = Json::array();
+    for (const Corner& corner : corners) {
+        corner_list.push_back({{"point", json_of(corner.point)},
+                               {"angle_deg", degrees(corner.angle)},
+                               {"normal_mismatch_deg", degrees(corner.normal_mismatch)},
+                               {"faces", {corner.face_before, corner.face_after}}});
+    }
+    return {{"id", loop.id},
+            {"kind", to_string(loop.kind)},
+            {"sides", loop.edges.size()},
+            {"edges", edges},
+            {"faces", faces},
+            {"diameter", loop.diameter},
+            {"length", loop.length},
+            {"planar", loop.planar},
+            {"gap", loop.gap},
+            {"islands_with", loop.islands_with},
+            {"reason", loop.reason},
+            {"part", part.name},
+            {"instances", part.instances},
+            {"corners", corner_list}};
+}
+
+Json json_of(const HoleReport& hole) {
+    const bool filled = hole.status == FillStatus::Filled;
+    Json json{{"id", hole.ids.front()},
+              {"ids", hole.ids},
+              {"sides", hole.sides.size()},
+              {"status", to_string(hole.status)},
+              {"method_requested", hole.method_requested},
+              {"method_used", filled ? Json(hole.method_used) : Json()},
+              {"continuity_requested", to_string(hole.continuity_requested)}};
+    // Of a hole that stays open nothing was measured: null, never a zero that looks perfect.
+    const auto measured = [&](auto value) { return filled ? Json(value) : Json(); };
+    json["continuity_reached"] = measured(to_string(hole.continuity_reached));
+    json["within_tolerance"] = measured(hole.within_tolerance);
+    json["max_gap"] = measured(hole.max_gap);
+    json["max_angle_deg"] = measured(degrees(hole.max_angle));
+    json["max_curvature_mismatch"] = measured(hole.max_curvature_mismatch);
+    json["patches"] = array_of(hole.patches);
+    json["edges"] = filled ? array_of(hole.sides) : Json::array();
+    json["seconds"] = hole.seconds;
+    json["reason"] = hole.reason;
+    json["notes"] = strings_of(hole.notes);
+    return json;
+}
+
+Json json_of(const EdgeContinuity& edge) {
+    return {{"edge", edge.edge},
+            {"faces", edge.faces},
+            {"class", to_string(edge.edge_class)},
+            {"length", edge.length},
+            {"max_gap", edge.max_gap},
+            {"edge_gap", edge.edge_gap},
+            {"max_angle_deg", degrees(edge.max_angle)},
+            {"mean_angle_deg", degrees(edge.mean_angle)},
+            {"curvature_mismatch", edge.curvature_mismatch},
+            {"curvature_mismatch_sum", edge.curvature_mismatch_sum},
+            {"opposite_concavity", edge.opposite_concavity},
+            {"at", json_of(edge.angle_at)},
+            {"gap_at", json_of(edge.gap_at)},
+            {"curvature_at", json_of(edge.curvature_at)},
+            {"samples", edge.samples},
+            {"note", edge.note}};
+}
+
+Json json_of(const Profile& profile) {
+    return {{"name", profile.name},
+            {"source", profile.source},
+            {"g0_mm", profile.tolerance.linear},
+            {"g1_deg", degrees(profile.tolerance.angular)},
+            {"g2_percent", 100.0 * profile.tolerance.curvature},
+            {"sharp_deg", degrees(profile.sharp)}};
+}
+
+}  // namespace suture::cli
