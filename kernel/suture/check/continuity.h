@@ -1,50 +1,49 @@
 #pragma once
 
-#include <TopoDS_Shape.hxx>
+#include "suture/base/progress.h"
+#include "suture/base/result.h"
+#include "suture/check/profile.h"
 
 #include <Eigen/Core>
+
+#include <TopoDS_Shape.hxx>
+
 #include <array>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "suture/base/progress.h"
-#include "suture/base/result.h"
-#include "suture/base/tolerance.h"
-
 namespace suture {
 
-/// What an edge between two faces is.
+/// What an edge between two faces is. G0 is also what could not be measured.
 enum class EdgeClass { Sharp, G0, G1, G2 };
 
 [[nodiscard]] std::string_view to_string(EdgeClass edge_class);
 
-/// Thresholds of a continuity check, and what they are called.
-struct Profile {
-    std::string name = "catia";
-    Tolerance tolerance;             ///< G0, G1, G2 thresholds
-    double sharp = radians(5.0);     ///< above: a design edge, not a failed smooth one
-};
-
 /// Measured along one edge shared by two faces (or by one face with itself: a seam).
 ///
-/// Positions are where the largest value was found. Angles in radians between outward normals;
-/// curvatures are normal curvatures perpendicular to the edge.
+/// At a point of the edge's curve, P1 and P2 are the nearest points of the two faces' surfaces.
+/// Positions are points of the edge where the largest value was found. Angles in radians between
+/// the outward normals at P1 and P2; curvatures are normal curvatures perpendicular to the edge,
+/// positive where the face bends towards its outward normal. Exact definitions: docs/check.md.
 struct EdgeContinuity {
     int edge = 0;                       ///< EdgeN, 1-based
     std::array<int, 2> faces = {0, 0};  ///< FaceN, 1-based; equal for a seam
     EdgeClass edge_class = EdgeClass::Sharp;
     double length = 0.0;
-    double max_gap = 0.0;               ///< distance between the two faces at the edge
+    double max_gap = 0.0;   ///< distance between the two faces at the edge: |P1 - P2|
+    double edge_gap = 0.0;  ///< largest distance of the edge's curve from P1 or P2
     double max_angle = 0.0;
     double mean_angle = 0.0;
-    double curvature_mismatch = 0.0;    ///< max |k1-k2| / max(|k1|,|k2|)
-    double curvature_mismatch_sum = 0.0;///< max |R1-R2| / (R1+R2) = |k1-k2| / (|k1|+|k2|)
-    bool opposite_concavity = false;    ///< k1 and k2 of different sign somewhere
+    double curvature_mismatch = 0.0;      ///< max |k1-k2| / max(|k1|,|k2|)
+    double curvature_mismatch_sum = 0.0;  ///< max |R1-R2| / (R1+R2) = |k1-k2| / (|k1|+|k2|)
+    bool opposite_concavity = false;      ///< k1 and k2 of different sign somewhere
     Eigen::Vector3d gap_at = Eigen::Vector3d::Zero();
     Eigen::Vector3d angle_at = Eigen::Vector3d::Zero();
     Eigen::Vector3d curvature_at = Eigen::Vector3d::Zero();
-    std::string note;                   ///< why something could not be measured, else empty
+    int samples = 0;            ///< points at which gap and angle could be measured
+    int curvature_samples = 0;  ///< points at which the curvatures could be compared
+    std::string note;           ///< what could not be measured, what looks odd, else empty
 };
 
 struct ContinuityReport {
@@ -57,6 +56,9 @@ struct ContinuityReport {
 ///
 /// Dense samples with local refinement at the maxima, end points included. Shares no code with the
 /// fill methods or the ribbons. Deterministic; runs on all cores.
+/// Result   free_edges and non_manifold are among the given edges too.
+/// Refuses  a null shape, an edge that does not exist, thresholds that are not positive (Usage); a
+///          cancelled run. An edge that cannot be measured is no error: its note says why.
 [[nodiscard]] Result<ContinuityReport> measure_continuity(const TopoDS_Shape& shape,
                                                           const Profile& profile,
                                                           const std::vector<int>& edges,

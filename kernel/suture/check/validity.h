@@ -7,19 +7,28 @@
 
 namespace suture {
 
+/// How much of a shape's validity to look at.
+enum class ValidityDepth {
+    Full,
+    Topology,  ///< without BRepCheck, whose tests of curves on surfaces take long on big models
+};
+
 /// Facts about a shape as a B-rep.
 struct Validity {
-    bool valid = false;    ///< BRepCheck finds nothing
-    bool closed = false;   ///< every shell is closed: no free edges
+    bool checked = false;  ///< BRepCheck was run
+    bool valid = false;    ///< BRepCheck was run and finds nothing
+    bool closed = false;   ///< there are faces and no free edges
     int solids = 0;
     int shells = 0;
     int faces = 0;
     int free_edges = 0;
-    double max_tolerance = 0.0;
-    double volume = 0.0;   ///< of the solids; positive where the normals point outwards
+    double max_tolerance = 0.0;         ///< of any vertex, edge or face
+    double volume = 0.0;                ///< of the solids; positive if the normals point outwards
     std::vector<std::string> problems;  ///< what BRepCheck says, each with its FaceN or EdgeN
 };
 
-[[nodiscard]] Validity measure_validity(const TopoDS_Shape& shape);
+/// Runs on all cores. Where OCCT fails itself, that is one of the problems.
+[[nodiscard]] Validity measure_validity(const TopoDS_Shape& shape,
+                                        ValidityDepth depth = ValidityDepth::Full);
 
 }  // namespace suture

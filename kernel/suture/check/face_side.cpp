@@ -1,0 +1,430 @@
+#include "suture/check/face_side.h"
+
+#include "suture/occ/handle.h"
+
+#include <BRep_Tool.hxx>
+#include <ElSLib.hxx>
+#include <GeomAPI_ProjectPointOnSurf.hxx>
+#include <Geom_RectangularTrimmedSurface.hxx>
+#include <Precision.hxx>
+#include <TColStd_Array1OfReal.hxx>
+#include <TopoDS.hxx>
+
+#include <algorithm>
+#include <cmath>
+
+namespace suture {
+
+namespace {
+
+// A Newton step this small against the edge's length ends the search: the next step, about its
+// square, is below rounding.
+constexpr double kNewtonStep = 1e-9;
+constexpr int kNewtonSteps = 25;
+
+// A point nearer to a knot than this part of the parameter range lies on it. The steps off the knot
+// are larger than that; what is extrapolated from two of them is off by about their square.
+constexpr double kOnBreak = 1e-8;
+constexpr double kOffBreak = 1e-6;
+// An edge that crosses a knot line does not run along it: its inward direction is across by more
+// than this part.
+constexpr double kAcrossBreak = 1e-3;
+
+// Below this ratio of the two tangents, or sine of the angle between them, the surface is singular:
+// the normal's rounding error would reach 1e-8.
+constexpr double kSingular = 1e-8;
+
+// Step of the limit of a normal, as a part of the parameter ranges: three values at 1, 2, 4 steps
+// are extrapolated, with an error of about 8 times the step's cube.
+constexpr double kLimitStep = 1e-4;
+// Extrapolated unit normals that keep less than this of their length have no common limit.
+constexpr double kLimitLength = 0.9;
+
+// Points of the edge at which the surface's knots that it passes are looked up.
+constexpr int kPieceSamples = 9;
+
+// A nearest point farther from the edge than this part of its length is doubted: the edge's curve
+// on the surface may have led to another sheet, so OCCT's search over the whole surface is asked
+// too.
+constexpr double kFarFromEdge = 0.01;
+
+occ::Handle<Geom_Surface> untrimmed(occ::Handle<Geom_Surface> surface) {
+    while (const auto trimmed = occ::cast<Geom_RectangularTrimmedSurface>(surface)) {
+        surface = trimmed->BasisSurface();
+    }
+    return surface;
+}
+
+std::vector<double> intervals(const GeomAdaptor_Surface& surface, bool is_u, GeomAbs_Shape order) {
+    const int count = is_u ? surface.NbUIntervals(order) : surface.NbVIntervals(order);
+    TColStd_Array1OfReal ends(1, count + 1);
+    if (is_u) {
+        surface.UIntervals(ends, order);
+    } else {
+        surface.VIntervals(ends, order);
+    }
+    return {ends.begin(), ends.end()};
+}
+
+bool is_finite(double value) {
+    return !Precision::IsInfinite(value);
+}
+
+}  // namespace
+
+FaceSide::FaceSide(const TopoDS_Face& face, const TopoDS_Edge& edge, EdgeRange range, double length)
+    : face_(TopoDS::Face(face.Oriented(TopAbs_FORWARD))),
+      edge_(edge),
+      range_(range),
+      reversed_(face.Orientation() == TopAbs_REVERSED) {
+    TopLoc_Location location;
+    const auto surface = untrimmed(BRep_Tool::Surface(face_, location));
+    moved_ = !location.IsIdentity();
+    if (moved_) {
+        to_model_ = location.Transformation();
+        to_local_ = to_model_.Inverted();
+        scale_ = std::abs(to_model_.ScaleFactor());
+    }
+    length_ = length / scale_;
+    surface_.Load(surface);
+    set_up_direction(directions_[0], true);
+    set_up_direction(directions_[1], false);
+    count_pieces();
+}
+
+bool FaceSide::is_elementary() const {
+    switch (surface_.GetType()) {
+        case GeomAbs_Plane:
+        case GeomAbs_Cylinder:
+        case GeomAbs_Cone:
+        case GeomAbs_Sphere:
+        case GeomAbs_Torus:
+            return true;
+        default:
+            return false;
+    }
+}
+
+void FaceSide::set_up_direction(Direction& direction, bool is_u) const {
+    direction.low = is_u ? surface_.FirstUParameter() : surface_.FirstVParameter();
+    direction.high = is_u ? surface_.LastUParameter() : surface_.LastVParameter();
+    direction.periodic = is_u ? surface_.IsUPeriodic() : surface_.IsVPeriodic();
+    const bool finite = is_finite(direction.low) && is_finite(direction.high);
+    direction.bounded = finite && !direction.periodic;
+    direction.size = finite ? direction.high - direction.low : length_;
+    if (is_elementary()) {
+        return;
+    }
+    direction.breaks = intervals(surface_, is_u, GeomAbs_C2);
+    if (!direction.periodic) {
+        direction.breaks.erase(direction.breaks.begin());
+        direction.breaks.pop_back();
+    }
+}
+
+double FaceSide::Direction::clamped(double value) const {
+    return bounded ? std::clamp(value, low, high) : value;
+}
+
+bool FaceSide::Direction::at_break(double value) const {
+    if (periodic) {
+        value -= std::floor((value - low) / size) * size;
+    }
+    return std::ranges::any_of(
+        breaks, [&](double knot) { return std::abs(value - knot) < kOnBreak * size; });
+}
+
+bool FaceSide::load_pcurve() {
+    if (!pcurve_known_) {
+        pcurve_known_ = true;
+        const auto curve =
+            BRep_Tool::CurveOnSurface(edge_, face_, pcurve_range_.first, pcurve_range_.last);
+        if (!curve.IsNull()) {
+            pcurve_.emplace(curve);
+        }
+    }
+    return pcurve_.has_value();
+}
+
+double FaceSide::to_pcurve(double t) const {
+    const double s = (t - range_.first) / (range_.last - range_.first);
+    return pcurve_range_.first + s * (pcurve_range_.last - pcurve_range_.first);
+}
+
+void FaceSide::count_pieces() {
+    if (is_elementary() || !load_pcurve()) {
+        return;
+    }
+    std::array<double, 2> low = {Precision::Infinite(), Precision::Infinite()};
+    std::array<double, 2> high = {-Precision::Infinite(), -Precision::Infinite()};
+    for (int i = 0; i < kPieceSamples; ++i) {
+        const double s = static_cast<double>(i) / (kPieceSamples - 1);
+        const gp_Pnt2d uv =
+            pcurve_->Value(to_pcurve(range_.first + s * (range_.last - range_.first)));
+        low = {std::min(low[0], uv.X()), std::min(low[1], uv.Y())};
+        high = {std::max(high[0], uv.X()), std::max(high[1], uv.Y())};
+    }
+    for (const int k : {0, 1}) {
+        const auto knots = intervals(surface_, k == 0, GeomAbs_CN);
+        pieces_ += static_cast<int>(std::ranges::count_if(
+            knots, [&](double knot) { return low.at(k) < knot && knot < high.at(k); }));
+    }
+}
+
+FaceSide::Jet FaceSide::jet(const gp_Pnt2d& uv) const {
+    Jet result;
+    surface_.D2(uv.X(), uv.Y(), result.P, result.Su, result.Sv, result.Suu, result.Svv, result.Suv);
+    return result;
+}
+
+gp_Pnt2d FaceSide::elementary_parameters(const gp_Pnt& local) const {
+    double u = 0.0;
+    double v = 0.0;
+    switch (surface_.GetType()) {
+        case GeomAbs_Plane:
+            ElSLib::Parameters(surface_.Plane(), local, u, v);
+            break;
+        case GeomAbs_Cylinder:
+            ElSLib::Parameters(surface_.Cylinder(), local, u, v);
+            break;
+        case GeomAbs_Cone:
+            ElSLib::Parameters(surface_.Cone(), local, u, v);
+            break;
+        case GeomAbs_Sphere:
+            ElSLib::Parameters(surface_.Sphere(), local, u, v);
+            break;
+        default:
+            ElSLib::Parameters(surface_.Torus(), local, u, v);
+            break;
+    }
+    return {u, v};
+}
+
+bool FaceSide::descend(const gp_Pnt& local, gp_Pnt2d& uv, gp_Pnt& on_surface) const {
+    const auto& [along_u, along_v] = directions_;
+    for (int step = 0; step < kNewtonSteps; ++step) {
+        const Jet at = jet(uv);
+        const gp_Vec r(local, at.P);
+        const double gu = r * at.Su;
+        const double gv = r * at.Sv;
+        // A parameter at its bound with the descent pointing outwards stays there.
+        const auto held = [](const Direction& along, double value, double gradient) {
+            return along.bounded && ((value <= along.low && gradient > 0.0) ||
+                                     (value >= along.high && gradient < 0.0));
+        };
+        const bool hold_u = held(along_u, uv.X(), gu);
+        const bool hold_v = held(along_v, uv.Y(), gv);
+        double a = at.Su.SquareMagnitude() + r * at.Suu;
+        double b = at.Su * at.Sv + r * at.Suv;
+        double c = at.Sv.SquareMagnitude() + r * at.Svv;
+        if (a <= 0.0 || c <= 0.0 || a * c - b * b <= kSingular * a * c) {
+            a = at.Su.SquareMagnitude();
+            b = at.Su * at.Sv;
+            c = at.Sv.SquareMagnitude();
+        }
+        const double determinant = a * c - b * b;
+        double du = 0.0;
+        double dv = 0.0;
+        if (!hold_u && !hold_v && determinant > kSingular * kSingular * a * c) {
+            du = (b * gv - c * gu) / determinant;
+            dv = (b * gu - a * gv) / determinant;
+        } else {
+            du = !hold_u && a > 0.0 ? -gu / a : 0.0;
+            dv = !hold_v && c > 0.0 && (hold_u || a <= 0.0) ? -gv / c : 0.0;
+        }
+        const gp_Pnt2d next(along_u.clamped(uv.X() + du), along_v.clamped(uv.Y() + dv));
+        const gp_Vec move = (next.X() - uv.X()) * at.Su + (next.Y() - uv.Y()) * at.Sv;
+        uv = next;
+        if (move.Magnitude() <= kNewtonStep * length_) {
+            on_surface = at.P.Translated(move);
+            return true;
+        }
+    }
+    return false;
+}
+
+void FaceSide::project_globally(const gp_Pnt& local, gp_Pnt2d& uv, gp_Pnt& on_surface) const {
+    const GeomAPI_ProjectPointOnSurf projection(local, surface_.Surface());
+    if (projection.NbPoints() == 0 ||
+        projection.LowerDistance() >= local.Distance(on_surface) - kNewtonStep * length_) {
+        return;
+    }
+    double u = 0.0;
+    double v = 0.0;
+    projection.LowerDistanceParameters(u, v);
+    uv = {u, v};
+    on_surface = projection.NearestPoint();
+}
+
+gp_Pnt2d FaceSide::nearest(double t, const gp_Pnt& local, gp_Pnt& on_surface) {
+    if (is_elementary()) {
+        const gp_Pnt2d uv = elementary_parameters(local);
+        on_surface = surface_.Value(uv.X(), uv.Y());
+        return uv;
+    }
+    const auto& [along_u, along_v] = directions_;
+    gp_Pnt2d start(0.5 * (along_u.low + along_u.high), 0.5 * (along_v.low + along_v.high));
+    if (load_pcurve()) {
+        start = pcurve_->Value(to_pcurve(t));
+        start = {along_u.clamped(start.X()), along_v.clamped(start.Y())};
+    } else if (last_) {
+        start = *last_;
+    }
+    gp_Pnt2d uv = start;
+    const gp_Pnt at_start = surface_.Value(start.X(), start.Y());
+    const bool found =
+        descend(local, uv, on_surface) && local.Distance(on_surface) <= local.Distance(at_start);
+    if (!found) {
+        uv = start;
+        on_surface = at_start;
+    }
+    if (!found || local.Distance(on_surface) > kFarFromEdge * length_) {
+        project_globally(local, uv, on_surface);
+    }
+    last_ = uv;
+    return uv;
+}
+
+gp_Vec2d FaceSide::inward(double t) {
+    if (!load_pcurve()) {
+        return {};
+    }
+    gp_Pnt2d at;
+    gp_Vec2d along;
+    pcurve_->D1(to_pcurve(t), at, along);
+    const double side = edge_.Orientation() == TopAbs_REVERSED ? -1.0 : 1.0;
+    // In units of the parameter ranges, so that both directions count alike.
+    const gp_Vec2d left(-along.Y() * side / directions_[1].size,
+                        along.X() * side / directions_[0].size);
+    const double size = left.Magnitude();
+    return size > 0.0 ? left / size : gp_Vec2d();
+}
+
+gp_Vec2d FaceSide::off_breaks(double t, const gp_Pnt2d& uv) {
+    std::array<double, 2> offset = {0.0, 0.0};
+    for (const std::size_t k : {0U, 1U}) {
+        const Direction& direction = directions_.at(k);
+        if (!direction.at_break(k == 0 ? uv.X() : uv.Y())) {
+            continue;
+        }
+        const gp_Vec2d into = inward(t);
+        const double across = k == 0 ? into.X() : into.Y();
+        if (std::abs(across) > kAcrossBreak) {
+            offset.at(k) = std::copysign(kOffBreak * direction.size, across);
+        }
+    }
+    return {offset[0], offset[1]};
+}
+
+bool FaceSide::regular(const Jet& at) const {
+    const double along_u = at.Su.Magnitude();
+    const double along_v = at.Sv.Magnitude();
+    const double size_u = along_u * directions_[0].size;
+    const double size_v = along_v * directions_[1].size;
+    const double size = std::max(size_u, size_v);
+    return std::min(size_u, size_v) > kSingular * size &&
+           at.Su.CrossMagnitude(at.Sv) > kSingular * along_u * along_v;
+}
+
+gp_Vec FaceSide::local_normal(const Jet& at) const {
+    const gp_Vec n = at.Su.Crossed(at.Sv).Normalized();
+    return reversed_ ? -n : n;
+}
+
+std::optional<gp_Vec> FaceSide::limit_normal(double t, const gp_Pnt& local) {
+    if (surface_.GetType() == GeomAbs_Sphere) {
+        const gp_Sphere sphere = surface_.Sphere();
+        const gp_Vec radial = gp_Vec(sphere.Location(), local).Normalized();
+        return sphere.Direct() != reversed_ ? radial : -radial;
+    }
+    if (!load_pcurve()) {
+        return std::nullopt;
+    }
+    // Into the face and along the edge to its middle, so that a pole that is an end of the edge and
+    // a side of the surface that is singular as a whole are both left.
+    const double along = t < 0.5 * (range_.first + range_.last) ? 1.0 : -1.0;
+    const gp_Vec2d into = inward(t);
+    gp_Vec sum;
+    for (const auto& [steps, weight] : {std::pair(1.0, 8.0), {2.0, -6.0}, {4.0, 1.0}}) {
+        const double h = steps * kLimitStep;
+        const gp_Pnt2d on_curve =
+            pcurve_->Value(to_pcurve(t + along * h * (range_.last - range_.first)));
+        const gp_Pnt2d uv(
+            directions_[0].clamped(on_curve.X() + h * into.X() * directions_[0].size),
+            directions_[1].clamped(on_curve.Y() + h * into.Y() * directions_[1].size));
+        const Jet near = jet(uv);
+        if (!regular(near)) {
+            return std::nullopt;
+        }
+        sum += weight / 3.0 * local_normal(near);
+    }
+    if (std::abs(sum.Magnitude() - 1.0) > 1.0 - kLimitLength) {
+        return std::nullopt;
+    }
+    return sum.Normalized();
+}
+
+std::optional<double> FaceSide::curvature(const Jet& at, const gp_Vec& normal,
+                                          const gp_Vec& tangent) const {
+    const gp_Vec d = normal.Crossed(tangent);
+    if (d.Magnitude() <= kSingular * tangent.Magnitude()) {
+        return std::nullopt;
+    }
+    // d = a Su + b Sv by the first fundamental form; d lies in the tangent plane.
+    const double E = at.Su.SquareMagnitude();
+    const double F = at.Su * at.Sv;
+    const double G = at.Sv.SquareMagnitude();
+    const double determinant = E * G - F * F;
+    const double a = (G * (d * at.Su) - F * (d * at.Sv)) / determinant;
+    const double b = (E * (d * at.Sv) - F * (d * at.Su)) / determinant;
+    const double second =
+        a * a * (normal * at.Suu) + 2.0 * a * b * (normal * at.Suv) + b * b * (normal * at.Svv);
+    return second / d.SquareMagnitude();
+}
+
+void FaceSide::set_local(BorderPoint& result, double t, const gp_Pnt2d& uv, const gp_Pnt& local,
+                         const gp_Vec& tangent) {
+    const gp_Vec2d offset = off_breaks(t, uv);
+    const bool on_break = offset.SquareMagnitude() > 0.0;
+    const Jet there = jet(on_break ? uv.Translated(offset) : uv);
+    if (!regular(there)) {
+        result.normal = limit_normal(t, local);
+        return;
+    }
+    result.normal = local_normal(there);
+    result.curvature = curvature(there, *result.normal, tangent);
+    if (!on_break) {
+        return;
+    }
+    // On a knot line: the limits from inside the face, from two values.
+    const Jet further = jet(uv.Translated(2.0 * offset));
+    if (!regular(further)) {
+        return;
+    }
+    const gp_Vec normal = local_normal(further);
+    const auto bend = curvature(further, normal, tangent);
+    result.normal = (2.0 * *result.normal - normal).Normalized();
+    if (result.curvature && bend) {
+        result.curvature = 2.0 * *result.curvature - *bend;
+    }
+}
+
+BorderPoint FaceSide::at(double t, const gp_Pnt& point, const gp_Vec& derivative) {
+    const gp_Pnt local = moved_ ? point.Transformed(to_local_) : point;
+    const gp_Vec tangent = moved_ ? derivative.Transformed(to_local_) : derivative;
+    BorderPoint result;
+    const gp_Pnt2d uv = nearest(t, local, result.point);
+    set_local(result, t, uv, local, tangent);
+    if (moved_) {
+        result.point.Transform(to_model_);
+        if (result.normal) {
+            result.normal = result.normal->Transformed(to_model_).Normalized();
+        }
+        if (result.curvature) {
+            *result.curvature /= scale_;
+        }
+    }
+    return result;
+}
+
+}  // namespace suture

@@ -1,0 +1,19 @@
+#pragma once
+
+#include "suture/check/continuity.h"
+#include "suture/check/edge_uses.h"
+
+#include <TopoDS_Edge.hxx>
+#include <TopoDS_Face.hxx>
+
+#include <array>
+
+namespace suture {
+
+/// Measures one edge between the faces of its two uses; fills everything of EdgeContinuity but the
+/// numbers and the class. Raises what OCCT raises on an edge without any curve.
+[[nodiscard]] EdgeContinuity measure_edge(const TopoDS_Edge& edge,
+                                          const std::array<TopoDS_Face, 2>& faces,
+                                          const std::array<EdgeUse, 2>& uses);
+
+}  // namespace suture
