@@ -272,8 +272,11 @@ gp_Pnt2d FaceSide::nearest(double t, const gp_Pnt& local, gp_Pnt& on_surface) {
     }
     gp_Pnt2d uv = start;
     const gp_Pnt at_start = surface_.Value(start.X(), start.Y());
+    // Where the edge lies on the surface both distances are rounding noise: any converged one will
+    // do.
     const bool found =
-        descend(local, uv, on_surface) && local.Distance(on_surface) <= local.Distance(at_start);
+        descend(local, uv, on_surface) &&
+        local.Distance(on_surface) <= local.Distance(at_start) + kNewtonStep * length_;
     if (!found) {
         uv = start;
         on_surface = at_start;

@@ -10,7 +10,7 @@ namespace suture {
 /// How much of a shape's validity to look at.
 enum class ValidityDepth {
     Full,
-    Topology,  ///< without BRepCheck, whose tests of curves on surfaces take long on big models
+    Topology,  ///< without BRepCheck and the volume, which take about as long as the reading
 };
 
 /// Facts about a shape as a B-rep.
@@ -22,8 +22,8 @@ struct Validity {
     int shells = 0;
     int faces = 0;
     int free_edges = 0;
-    double max_tolerance = 0.0;         ///< of any vertex, edge or face
-    double volume = 0.0;                ///< of the solids; positive if the normals point outwards
+    double max_tolerance = 0.0;  ///< of any vertex, edge or face
+    double volume = 0.0;         ///< of the solids; positive if normals point outwards; 0: not Full
     std::vector<std::string> problems;  ///< what BRepCheck says, each with its FaceN or EdgeN
 };
 
