@@ -1,15 +1,16 @@
 #pragma once
 
+#include "suture/base/progress.h"
+#include "suture/base/result.h"
+#include "suture/detect/boundary_loop.h"
+#include "suture/model/patch.h"
+#include "suture/model/ribbon.h"
+
 #include <TopoDS_Face.hxx>
 
 #include <chrono>
 #include <string_view>
 #include <vector>
-
-#include "suture/base/progress.h"
-#include "suture/base/result.h"
-#include "suture/detect/boundary_loop.h"
-#include "suture/model/ribbon.h"
 
 namespace suture {
 

@@ -1,0 +1,34 @@
+#pragma once
+
+#include "suture/base/result.h"
+#include "suture/choose/request.h"
+#include "suture/choose/trial.h"
+#include "suture/model/patch.h"
+#include "suture/model/ribbon.h"
+
+#include <string>
+#include <vector>
+
+namespace suture {
+
+/// The fill that was chosen, and why.
+struct Choice {
+    std::string method;
+    FillResult fill;
+    TrialMeasure measured;
+    std::string reason;
+    double seconds = 0.0;  ///< in the fill methods, all that were tried
+};
+
+/// Fills one hole with the method asked for, or (auto) with the best of those that apply: each is
+/// tried and measured; the first within tolerance is taken, else the one that comes nearest.
+///
+/// Input    hole: with the continuity wanted on each ribbon.
+/// Refuses  when no method gives a valid face; the message has every method's own reason.
+[[nodiscard]] Result<Choice> choose_fill(const std::vector<BoundaryLoop>& loops, const Hole& hole,
+                                         const FillRequest& request, const Tolerance& tolerance);
+
+/// Whether --method takes this name; the Usage error lists those that exist.
+[[nodiscard]] Result<void> validate_method(const std::string& method);
+
+}  // namespace suture

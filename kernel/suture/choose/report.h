@@ -1,0 +1,51 @@
+#pragma once
+
+#include "suture/model/continuity.h"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace suture {
+
+enum class FillStatus { Filled, Refused, Skipped };
+
+[[nodiscard]] std::string_view to_string(FillStatus status);
+
+/// One surface of a fill, for the report.
+struct PatchFacts {
+    std::string kind;  ///< kind_name of the surface
+    int degree_u = 0, degree_v = 0, poles_u = 0,
+        poles_v = 0;  ///< as a B-spline; 0 for closed forms
+    bool rational = false;
+    bool exact = true;
+    double fit_error = 0.0;
+    int face = 0;  ///< FaceN in the result
+};
+
+/// How one side of a fill came out.
+struct SideReport {
+    int edge = 0;  ///< EdgeN in the input
+    int face = 0;  ///< the neighbour, FaceN in the input
+    Continuity requested = Continuity::G1;
+    std::string reason;  ///< why auto asked for just that
+    double gap = 0.0, angle = 0.0, curvature_mismatch = 0.0;
+};
+
+/// What became of one hole. Lengths in model units, angles in radians.
+struct HoleReport {
+    std::vector<int> ids;  ///< loop ids
+    FillStatus status = FillStatus::Skipped;
+    std::string method_requested, method_used;
+    Continuity continuity_requested = Continuity::G1;
+    Continuity continuity_reached = Continuity::G0;
+    double max_gap = 0.0, max_angle = 0.0, max_curvature_mismatch = 0.0;
+    std::vector<PatchFacts> patches;
+    std::vector<SideReport> sides;
+    std::vector<std::string> notes;
+    double seconds = 0.0;
+    std::string reason;  ///< why this method, or why refused or skipped
+    bool within_tolerance = false;
+};
+
+}  // namespace suture

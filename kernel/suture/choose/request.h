@@ -1,0 +1,30 @@
+#pragma once
+
+#include "suture/base/progress.h"
+#include "suture/base/tolerance.h"
+#include "suture/model/continuity.h"
+#include "suture/occt_filling/plate.h"
+
+#include <chrono>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace suture {
+
+/// What the user asks for.
+struct FillRequest {
+    std::vector<std::vector<int>> holes;  ///< loop ids; several in one entry: one face with islands
+    std::vector<int> edges;               ///< EdgeN: the loops that contain them
+    bool all_loops = false;               ///< rims and ambiguous loops too
+    std::string method = "auto";
+    std::optional<Continuity> continuity;       ///< none: auto
+    std::map<int, Continuity> edge_continuity;  ///< EdgeN -> continuity
+    PlateSetting plate_setting = PlateSetting::Default;
+    Tolerance tolerance;
+    std::chrono::milliseconds plate_limit{120'000};  ///< for each run of OCCT's filling
+    Progress progress;
+};
+
+}  // namespace suture

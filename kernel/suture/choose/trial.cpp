@@ -1,0 +1,124 @@
+#include "suture/choose/trial.h"
+
+#include "suture/check/continuity.h"
+#include "suture/faces/make_faces.h"
+#include "suture/occ/guard.h"
+#include "suture/occ/topology.h"
+
+#include <BRepBuilderAPI_Copy.hxx>
+#include <BRepCheck_Analyzer.hxx>
+#include <BRep_Builder.hxx>
+#include <TopTools_MapOfShape.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_Compound.hxx>
+
+#include <algorithm>
+
+namespace suture {
+namespace {
+
+/// The hole's loops on copies of the neighbours.
+struct CopiedHole {
+    TopoDS_Compound neighbours;
+    std::vector<BoundaryLoop> loops;
+};
+
+CopiedHole copy_of(const std::vector<BoundaryLoop>& loops) {
+    const BRep_Builder builder;
+    TopoDS_Compound originals;
+    builder.MakeCompound(originals);
+    TopTools_MapOfShape seen;
+    for (const BoundaryLoop& loop : loops) {
+        for (const BoundaryEdge& edge : loop.edges) {
+            if (seen.Add(edge.face)) {
+                builder.Add(originals, edge.face);
+            }
+        }
+    }
+    BRepBuilderAPI_Copy copy(originals, /*copyGeom=*/Standard_False, /*copyMesh=*/Standard_False);
+    CopiedHole result{TopoDS::Compound(copy.Shape()), loops};
+    for (BoundaryLoop& loop : result.loops) {
+        for (BoundaryEdge& edge : loop.edges) {
+            edge.face =
+                TopoDS::Face(copy.ModifiedShape(edge.face).Oriented(edge.face.Orientation()));
+            edge.edge =
+                TopoDS::Edge(copy.ModifiedShape(edge.edge).Oriented(edge.edge.Orientation()));
+        }
+    }
+    return result;
+}
+
+Result<TrialMeasure> measure(const CopiedHole& copied, const Hole& hole,
+                             const std::vector<TopoDS_Face>& faces, const Tolerance& tolerance,
+                             const Progress& progress) {
+    const BRep_Builder builder;
+    TopoDS_Compound model = copied.neighbours;
+    for (const TopoDS_Face& face : faces) {
+        builder.Add(model, face);
+    }
+    const occ::Numbering numbering(model);
+    std::vector<int> edges;
+    for (const BoundaryLoop& loop : copied.loops) {
+        for (const BoundaryEdge& edge : loop.edges) {
+            edges.push_back(numbering.of(edge.edge));
+        }
+    }
+    Profile profile;
+    profile.tolerance = tolerance;
+    const auto report = measure_continuity(model, profile, edges, progress);
+    if (!report) {
+        return tl::unexpected(report.error());
+    }
+    TrialMeasure result;
+    std::size_t next = 0;
+    for (const RibbonLoop& loop : hole.loops) {
+        for (const Ribbon& ribbon : loop.ribbons) {
+            const int number = edges[next++];
+            const auto found = std::find_if(report->edges.begin(), report->edges.end(),
+                                            [&](const auto& e) { return e.edge == number; });
+            if (found == report->edges.end() || found->samples == 0) {
+                return fail(ErrorCode::Refused, "{} could not be measured against the new face",
+                            name_of(ribbon));
+            }
+            const SideMeasure side{found->max_gap, found->max_angle, found->curvature_mismatch};
+            result.score = std::max(result.score, score_of(side, ribbon.continuity, tolerance));
+            result.sides.push_back(side);
+        }
+    }
+    return result;
+}
+
+}  // namespace
+
+double score_of(const SideMeasure& side, Continuity wanted, const Tolerance& tolerance) {
+    double score = side.gap / tolerance.linear;
+    if (wanted >= Continuity::G1) {
+        score = std::max(score, side.angle / tolerance.angular);
+    }
+    if (wanted >= Continuity::G2) {
+        score = std::max(score, side.curvature_mismatch / tolerance.curvature);
+    }
+    return score;
+}
+
+Result<TrialMeasure> try_fill(const std::vector<BoundaryLoop>& loops, const Hole& hole,
+                              const FillResult& fill, const Tolerance& tolerance,
+                              const Progress& progress) {
+    return occ::guarded("trying the new face", [&]() -> Result<TrialMeasure> {
+        const CopiedHole copied = copy_of(loops);
+        const auto made = make_faces(copied.loops, hole, fill);
+        if (!made) {
+            return tl::unexpected(made.error());
+        }
+        for (const TopoDS_Face& face : made->faces) {
+            if (!BRepCheck_Analyzer(face).IsValid()) {
+                return tl::unexpected(
+                    Error{ErrorCode::Refused,
+                          "OCCT's check finds the new face invalid (boundary crosses itself)"});
+            }
+        }
+        return measure(copied, hole, made->faces, tolerance, progress);
+    });
+}
+
+}  // namespace suture

@@ -1,0 +1,144 @@
+#include "suture/choose/wishes.h"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace suture {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr int kSamples = 16;
+
+/// Out of flatness, as a fraction of the diameter, that still counts as a planar opening.
+constexpr double kPlanar = 1e-6;
+
+/// Cross tangents steeper than this on a planar opening mean an opening, not a missing skin: half
+/// way between a skin that lies in the plane and a duct that stands on it.
+constexpr double kSteep = radians(45.0);
+
+/// Neighbours whose normals differ by less than this at a corner are one smooth surrounding, as
+/// faces that a translator has moved a little still are.
+constexpr double kSmoothCorner = radians(10.0);
+
+/// A neighbour whose cross tangent points further than this away from the middle of the hole
+/// leads away from it.
+constexpr double kAway = radians(65.0);
+
+struct Opening {
+    Vector3d centre = Vector3d::Zero();
+    Vector3d normal = Vector3d::UnitZ();
+    double height = 0.0;
+};
+
+Opening opening_of(const Hole& hole) {
+    std::vector<Vector3d> points;
+    Opening opening;
+    for (const RibbonLoop& loop : hole.loops) {
+        for (const Ribbon& ribbon : loop.ribbons) {
+            for (int k = 0; k < kSamples; ++k) {
+                points.push_back(ribbon.at(static_cast<double>(k) / kSamples).point);
+                opening.centre += points.back();
+            }
+        }
+    }
+    opening.centre /= static_cast<double>(points.size());
+    Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
+    for (const Vector3d& p : points) {
+        covariance += (p - opening.centre) * (p - opening.centre).transpose();
+    }
+    opening.normal =
+        Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(covariance).eigenvectors().col(0);
+    for (const Vector3d& p : points) {
+        opening.height = std::max(opening.height, std::abs(opening.normal.dot(p - opening.centre)));
+    }
+    return opening;
+}
+
+/// The smallest angle between a cross tangent and the opening's plane.
+double least_steepness(const Hole& hole, const Opening& opening) {
+    double least = kPi;
+    for (const RibbonLoop& loop : hole.loops) {
+        for (const Ribbon& ribbon : loop.ribbons) {
+            for (int k = 0; k < kSamples; ++k) {
+                const Vector3d inward = ribbon.at((k + 0.5) / kSamples).inward;
+                least =
+                    std::min(least, std::asin(std::min(1.0, std::abs(opening.normal.dot(inward)))));
+            }
+        }
+    }
+    return least;
+}
+
+double mismatch(const Ribbon& before, const Ribbon& after) {
+    const Vector3d a = before.at(1.0).normal;
+    const Vector3d b = after.at(0.0).normal;
+    return std::atan2(a.cross(b).norm(), a.dot(b));
+}
+
+/// How far the side's cross tangent points away from the middle of the hole.
+double awayness(const Ribbon& ribbon, const Vector3d& centre) {
+    const RibbonPoint middle = ribbon.at(0.5);
+    const Vector3d towards = centre - middle.point;
+    return std::atan2(middle.inward.cross(towards).norm(), middle.inward.dot(towards));
+}
+
+Wish automatic(const RibbonLoop& loop, std::size_t i, const Vector3d& centre) {
+    const std::size_t n = loop.ribbons.size();
+    const Ribbon& ribbon = loop.ribbons[i];
+    const double worst = std::max(mismatch(loop.ribbons[(i + n - 1) % n], ribbon),
+                                  mismatch(ribbon, loop.ribbons[(i + 1) % n]));
+    const double away = awayness(ribbon, centre);
+    if (worst > kSmoothCorner && away > kAway) {
+        return {Continuity::G0,
+                fmt::format("face {} leads away from the hole by {:.0f} deg and meets its "
+                            "neighbours at {:.0f} deg",
+                            ribbon.face, degrees(away), degrees(worst))};
+    }
+    return {Continuity::G1, "auto: tangent to the neighbour"};
+}
+
+/// What is asked for along side i, and why.
+Wish wish_for(const RibbonLoop& loop, std::size_t i, const Opening& opening, double steepness,
+              const FillRequest& request) {
+    Wish wish;
+    const auto own = request.edge_continuity.find(loop.ribbons[i].edge);
+    if (own != request.edge_continuity.end()) {
+        wish.continuity = own->second;
+        wish.reason = "as asked for this edge";
+    } else if (request.continuity) {
+        wish.continuity = *request.continuity;
+        wish.reason = "as asked";
+    } else if (steepness > kSteep) {
+        wish.continuity = Continuity::G0;
+        wish.reason = fmt::format(
+            "the opening is planar and its neighbours stand on it at {:.0f} deg or more",
+            degrees(steepness));
+    } else {
+        wish = automatic(loop, i, opening.centre);
+    }
+    return wish;
+}
+
+}  // namespace
+
+std::vector<Wish> wishes_for(const Hole& hole, const FillRequest& request) {
+    const Opening opening = opening_of(hole);
+    // Steepness is a matter of planar openings only.
+    const bool planar = opening.height <= kPlanar * hole.diameter;
+    const double steepness = planar ? least_steepness(hole, opening) : 0.0;
+    std::vector<Wish> wishes;
+    for (const RibbonLoop& loop : hole.loops) {
+        for (std::size_t i = 0; i < loop.ribbons.size(); ++i) {
+            wishes.push_back(wish_for(loop, i, opening, steepness, request));
+        }
+    }
+    return wishes;
+}
+
+}  // namespace suture

@@ -1,0 +1,25 @@
+#pragma once
+
+#include "suture/choose/request.h"
+#include "suture/model/ribbon.h"
+
+#include <string>
+#include <vector>
+
+namespace suture {
+
+/// The continuity wanted along one side, and why.
+struct Wish {
+    Continuity continuity = Continuity::G1;
+    std::string reason;
+};
+
+/// What to ask for along each side, side by side in the order of the loops.
+///
+/// What the request says holds. Else (auto) G1, but G0
+///  - all around a planar opening whose neighbours stand steeply on its plane (the end of a duct,
+///    a box without a lid): a tangent fill would be a dome that nobody drew;
+///  - along a side whose neighbour leads away from the hole while its corners are not smooth.
+[[nodiscard]] std::vector<Wish> wishes_for(const Hole& hole, const FillRequest& request);
+
+}  // namespace suture
