@@ -45,6 +45,7 @@ function(suture_use_occt_header target)
         target_precompile_headers(suture_occ PRIVATE ${PROJECT_SOURCE_DIR}/kernel/suture/occ/pch.h)
     else()
         target_precompile_headers(${target} REUSE_FROM suture_occ)
+        target_compile_options(${target} PRIVATE -fPIC) # as the header: programs would take -fpie
     endif()
 endfunction()
 
