@@ -1,19 +1,22 @@
 #pragma once
 
+#include "suture/base/result.h"
+
 #include <filesystem>
 #include <string_view>
-
-#include "suture/base/result.h"
 
 namespace suture::io {
 
 enum class Format {
     Step,
     Iges,
-    BrepText,        ///< OCCT's own, as BRepTools and BinTools write it
+    BrepText,  ///< OCCT's own, as BRepTools and BinTools write it
     BrepBinary,
-    BrepFreecad,     ///< FreeCAD's exportBinary: OCCT's binary shape set with its own ending
-    Stl, Off, Obj, ThreeMf,  ///< meshes, for writing only
+    BrepFreecad,  ///< FreeCAD's exportBinary: OCCT's binary shape set with its own ending
+    Stl,
+    Off,
+    Obj,
+    ThreeMf,  ///< meshes, for writing only
 };
 
 [[nodiscard]] std::string_view to_string(Format format);

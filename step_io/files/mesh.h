@@ -1,1 +1,41 @@
 #pragma once
+
+#include "suture/base/result.h"
+
+#include <TopoDS_Shape.hxx>
+
+#include <array>
+#include <cstdint>
+#include <ostream>
+#include <string>
+#include <vector>
+
+namespace suture::io {
+
+struct MeshOptions {
+    double deflection = 0.0;           ///< model units; 0: a thousandth of the model's diagonal
+    double angular_deflection = 0.35;  ///< radians between neighbouring facets
+};
+
+/// Triangles over shared points. Where two faces share an edge they share its points too, so the
+/// mesh of a closed shell is watertight: every directed edge has its opposite exactly once.
+struct Mesh {
+    std::vector<std::array<double, 3>> points;
+    std::vector<std::array<std::uint32_t, 3>> triangles;  ///< anticlockwise seen from outside
+};
+
+/// Meshes a copy of the shape, all faces in parallel; the shape itself is left without triangles.
+/// Solids that are inside out are turned.
+///
+/// Refuses  (Internal) a face that OCCT cannot mesh, by its number.
+[[nodiscard]] Result<Mesh> make_mesh(const TopoDS_Shape& shape, const MeshOptions& options);
+
+/// A mesh as a file. Lengths are millimetres.
+[[nodiscard]] Result<void> write_stl(const Mesh& mesh, std::ostream& stream);
+[[nodiscard]] Result<void> write_off(const Mesh& mesh, std::ostream& stream);
+[[nodiscard]] Result<void> write_obj(const Mesh& mesh, const std::string& name,
+                                     std::ostream& stream);
+[[nodiscard]] Result<void> write_3mf(const Mesh& mesh, const std::string& name,
+                                     std::ostream& stream);
+
+}  // namespace suture::io

@@ -1,1 +1,75 @@
-// filled in the next commit
+#include "files/read.h"
+
+#include "files/brep.h"
+#include "files/document.h"
+#include "files/file_bytes.h"
+#include "files/read_iges.h"
+#include "files/read_step.h"
+#include "suture/occ/guard.h"
+
+namespace suture::io {
+
+namespace {
+
+Result<void> read_brep(ModelFile& model, const std::string& bytes) {
+    const Result<TopoDS_Shape> shape = model.format == Format::BrepText
+                                           ? read_brep_text(bytes, model.path)
+                                           : read_brep_binary(bytes, model.path);
+    if (!shape) {
+        return tl::unexpected(shape.error());
+    }
+    const TDF_Label part = shapes_of(model.document)->AddShape(*shape, false);
+    set_name(referred(part), model.path.stem().string());
+    return {};
+}
+
+Result<void> read_into(ModelFile& model, const std::string& bytes, const Progress& progress) {
+    switch (model.format) {
+        case Format::Step:
+            return read_step(model, bytes, progress);
+        case Format::Iges:
+            return read_iges(model, bytes, progress);
+        default:
+            return read_brep(model, bytes);
+    }
+}
+
+/// What is wrong with a file is the file's fault, also where OCCT noticed it.
+Error unreadable(const Error& error, const std::filesystem::path& file) {
+    if (error.code != ErrorCode::Internal) {
+        return error;
+    }
+    return {ErrorCode::Unreadable,
+            fmt::format("{} cannot be read: {}", file.string(), error.message)};
+}
+
+}  // namespace
+
+Result<ModelFile> read_model(const std::filesystem::path& file, const Progress& progress) {
+    progress(0.0, "read");
+    ModelFile model;
+    model.path = file;
+    const Result<void> done = format_of_content(file)
+                                  .and_then([&](Format format) {
+                                      model.format = format;
+                                      return read_bytes(file);
+                                  })
+                                  .and_then([&](const std::string& bytes) {
+                                      return occ::guarded("reading", [&] {
+                                          model.document = make_document();
+                                          return read_into(model, bytes, progress);
+                                      });
+                                  });
+    if (progress.cancelled()) {
+        return fail(ErrorCode::Cancelled, "reading {} was stopped", file.string());
+    }
+    if (!done) {
+        return tl::unexpected(unreadable(done.error(), file));
+    }
+    if (!has_face(model.shape())) {
+        return fail(ErrorCode::Unreadable, "{} holds no face", file.string());
+    }
+    return model;
+}
+
+}  // namespace suture::io

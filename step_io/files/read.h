@@ -1,10 +1,10 @@
 #pragma once
 
-#include <filesystem>
-
 #include "files/model_file.h"
 #include "suture/base/progress.h"
 #include "suture/base/result.h"
+
+#include <filesystem>
 
 namespace suture::io {
 

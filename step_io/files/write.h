@@ -1,16 +1,12 @@
 #pragma once
 
-#include <filesystem>
-
+#include "files/mesh.h"
 #include "files/model_file.h"
 #include "suture/base/result.h"
 
-namespace suture::io {
+#include <filesystem>
 
-struct MeshOptions {
-    double deflection = 0.0;           ///< model units; 0: a thousandth of the model's diagonal
-    double angular_deflection = 0.35;  ///< radians between neighbouring facets
-};
+namespace suture::io {
 
 /// Writes a model to a temporary file beside `file` and renames it: there is the whole new file or
 /// the old one, never half of one.

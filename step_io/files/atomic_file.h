@@ -1,0 +1,21 @@
+#pragma once
+
+#include "suture/base/result.h"
+
+#include <filesystem>
+#include <functional>
+#include <ostream>
+
+namespace suture::io {
+
+/// Writes a file whole or not at all: into a temporary file beside it, flushed to the disk, then
+/// renamed over it. A new file gets the permissions of any new file, an old one keeps its own; of a
+/// symbolic link the file that it points to is replaced.
+///
+/// Input    content writes everything to the stream, or says why it cannot.
+/// Refuses  (WriteFailed) a missing folder, a folder or a device in the file's place, no
+///          permission, a full disk; the old file is then intact and nothing new is left behind.
+[[nodiscard]] Result<void> write_atomically(
+    const std::filesystem::path& file, const std::function<Result<void>(std::ostream&)>& content);
+
+}  // namespace suture::io

@@ -1,0 +1,115 @@
+#include "files/brep.h"
+
+#include <BRepTools.hxx>
+#include <BRep_Builder.hxx>
+#include <BinTools.hxx>
+#include <BinTools_LocationSet.hxx>
+#include <BinTools_ShapeSet.hxx>
+
+#include <cctype>
+#include <sstream>
+
+namespace suture::io {
+
+namespace {
+
+/// After the shape set: one byte and two integers (OCCT) or three integers (FreeCAD).
+constexpr std::streamoff kOcctEnding = 9;
+constexpr std::streamoff kFreecadEnding = 12;
+
+/// The last line says which of the shapes is the file's: orientation and number, then the number of
+/// its location. It is the first thing that a cut takes away.
+bool has_text_ending(const std::string& bytes) {
+    std::string_view text = bytes;
+    text.remove_suffix(text.size() - std::min(text.size(), text.find_last_not_of(" \r\n\t") + 1));
+    const std::size_t line = text.find_last_of("\n\r");
+    std::istringstream last{std::string(text.substr(line == text.npos ? 0 : line + 1))};
+    char orientation = 0;
+    int shape = 0;
+    int location = -1;
+    last >> orientation >> shape >> location;
+    return std::string_view("+-ie").find(orientation) != std::string_view::npos && shape > 0 &&
+           location >= 0 && (last >> std::ws).eof();
+}
+
+TopoDS_Shape read_freecad_ending(BinTools_ShapeSet& shapes, std::istream& stream) {
+    int shape = 0;
+    int location = 0;
+    int orientation = 0;
+    BinTools::GetInteger(stream, shape);
+    BinTools::GetInteger(stream, location);
+    BinTools::GetInteger(stream, orientation);
+    if (!stream || shape < 1 || shape > shapes.NbShapes() || location < 0 ||
+        location > shapes.Locations().NbLocations() || orientation < TopAbs_FORWARD ||
+        orientation > TopAbs_EXTERNAL) {
+        return {};
+    }
+    TopoDS_Shape result = shapes.Shape(shape);
+    result.Location(shapes.Locations().Location(location));
+    result.Orientation(static_cast<TopAbs_Orientation>(orientation));
+    return result;
+}
+
+}  // namespace
+
+Result<TopoDS_Shape> read_brep_text(const std::string& bytes, const std::filesystem::path& file) {
+    if (!has_text_ending(bytes)) {
+        return fail(ErrorCode::Unreadable,
+                    "{} is cut off: its last line, which names the shape, is missing",
+                    file.string());
+    }
+    std::istringstream stream(bytes);
+    TopoDS_Shape shape;
+    BRepTools::Read(shape, stream, BRep_Builder());
+    if (shape.IsNull()) {
+        return fail(ErrorCode::Unreadable, "{} is damaged: OCCT makes no shape of it",
+                    file.string());
+    }
+    return shape;
+}
+
+Result<TopoDS_Shape> read_brep_binary(const std::string& bytes, const std::filesystem::path& file) {
+    std::istringstream stream(bytes, std::ios::binary);
+    BinTools_ShapeSet shapes;
+    shapes.Read(stream);
+    const std::streamoff left = static_cast<std::streamoff>(bytes.size()) - stream.tellg();
+    TopoDS_Shape shape;
+    if (stream && left == kFreecadEnding) {
+        shape = read_freecad_ending(shapes, stream);
+    } else if (stream && left == kOcctEnding) {
+        shapes.ReadSubs(shape, stream, shapes.NbShapes());
+    } else {
+        return fail(ErrorCode::Unreadable, "{} is cut off or damaged: after its shapes it ends {}",
+                    file.string(), stream ? fmt::format("in {} bytes", left) : "too early");
+    }
+    if (shape.IsNull()) {
+        return fail(ErrorCode::Unreadable, "{} is damaged: OCCT makes no shape of it",
+                    file.string());
+    }
+    return shape;
+}
+
+Result<void> write_brep_text(const TopoDS_Shape& shape, std::ostream& stream) {
+    BRepTools::Write(shape, stream, false, false, TopTools_FormatVersion_VERSION_1);
+    return {};
+}
+
+Result<void> write_brep_binary(const TopoDS_Shape& shape, std::ostream& stream) {
+    BinTools::Write(shape, stream, false, false, BinTools_FormatVersion_VERSION_3);
+    return {};
+}
+
+Result<void> write_brep_freecad(const TopoDS_Shape& shape, std::ostream& stream) {
+    BinTools_ShapeSet shapes;
+    shapes.SetWithTriangles(false);
+    shapes.SetFormatNb(BinTools_FormatVersion_VERSION_3);
+    const int number = shapes.Add(shape);
+    const int location = shapes.Locations().Index(shape.Location());
+    shapes.Write(stream);
+    BinTools::PutInteger(stream, number);
+    BinTools::PutInteger(stream, location);
+    BinTools::PutInteger(stream, shape.Orientation());
+    return {};
+}
+
+}  // namespace suture::io

@@ -1,0 +1,198 @@
+#include "files/document.h"
+#include "files/model_file.h"
+
+#include <BRep_Builder.hxx>
+#include <Quantity_ColorRGBA.hxx>
+#include <TColStd_HSequenceOfExtendedString.hxx>
+#include <TopExp.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
+#include <TopoDS_Compound.hxx>
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <optional>
+
+namespace suture::io {
+
+namespace {
+
+constexpr std::array kColourTypes{XCAFDoc_ColorGen, XCAFDoc_ColorSurf, XCAFDoc_ColorCurv};
+
+/// What a file says of a shape besides its geometry.
+struct Look {
+    std::string name;
+    std::array<std::optional<Quantity_ColorRGBA>, kColourTypes.size()> colours;
+    occ::Handle<TColStd_HSequenceOfExtendedString> layers;
+};
+
+class Looks {
+  public:
+    explicit Looks(const Document& document)
+        : colours_(colours_of(document)), layers_(layers_of(document)) {}
+
+    /// What stands at `label`, over what is inherited.
+    [[nodiscard]] Look of(const TDF_Label& label, Look inherited) const {
+        if (std::string name = name_of(label); !name.empty()) {
+            inherited.name = std::move(name);
+        }
+        for (std::size_t i = 0; i < kColourTypes.size(); ++i) {
+            Quantity_ColorRGBA colour;
+            if (colours_->GetColor(label, kColourTypes[i], colour)) {
+                inherited.colours[i] = colour;
+            }
+        }
+        occ::Handle<TColStd_HSequenceOfExtendedString> layers;
+        if (layers_->GetLayers(label, layers) && !layers->IsEmpty()) {
+            inherited.layers = layers;
+        }
+        return inherited;
+    }
+
+    void set(const TDF_Label& label, const Look& look) const {
+        if (!look.name.empty()) {
+            set_name(label, look.name);
+        }
+        for (std::size_t i = 0; i < kColourTypes.size(); ++i) {
+            if (look.colours[i]) {
+                colours_->SetColor(label, *look.colours[i], kColourTypes[i]);
+            }
+        }
+        if (!look.layers.IsNull()) {
+            for (const TCollection_ExtendedString& layer : *look.layers) {
+                layers_->SetLayer(label, layer);
+            }
+        }
+    }
+
+  private:
+    occ::Handle<XCAFDoc_ColorTool> colours_;
+    occ::Handle<XCAFDoc_LayerTool> layers_;
+};
+
+/// Whether there is no solid and no shell of two faces or more.
+bool is_loose(const TopoDS_Shape& shape) {
+    if (!has_face(shape) || TopExp_Explorer(shape, TopAbs_SOLID).More()) {
+        return false;
+    }
+    for (TopExp_Explorer shell(shape, TopAbs_SHELL); shell.More(); shell.Next()) {
+        TopTools_IndexedMapOfShape faces;
+        TopExp::MapShapes(shell.Current(), TopAbs_FACE, faces);
+        if (faces.Extent() > 1) {
+            return false;
+        }
+    }
+    return true;
+}
+
+/// Collects the loose faces of a model, each where it stands and with its look.
+class LooseFaces {
+  public:
+    explicit LooseFaces(const Document& document) : looks_(document) {
+        for (const TDF_Label& root : roots_of(document)) {
+            visit(root, TopLoc_Location());
+        }
+    }
+
+    [[nodiscard]] const TopTools_IndexedMapOfShape& faces() const { return faces_; }
+    [[nodiscard]] const Look& look(int face) const { return face_looks_.at(face); }
+    /// The parts and components that the faces were taken from.
+    [[nodiscard]] const std::vector<TDF_Label>& occurrences() const { return occurrences_; }
+
+  private:
+    void visit(const TDF_Label& label, const TopLoc_Location& above) {
+        const TDF_Label target = referred(label);
+        const TopLoc_Location location = above * XCAFDoc_ShapeTool::GetLocation(label);
+        if (XCAFDoc_ShapeTool::IsAssembly(target)) {
+            for (const TDF_Label& component : components_of(target)) {
+                visit(component, location);
+            }
+        } else if (const TopoDS_Shape shape = XCAFDoc_ShapeTool::GetShape(target);
+                   is_loose(shape)) {
+            if (std::ranges::find(occurrences_, label) == occurrences_.end()) {
+                occurrences_.push_back(label);
+            }
+            Look look = looks_.of(label, looks_.of(target, {}));
+            look.name = name_of(target);  // not the instance's
+            take(target, shape, location, look);
+        }
+    }
+
+    void take(const TDF_Label& part, const TopoDS_Shape& shape, const TopLoc_Location& location,
+              const Look& look) {
+        std::map<int, Look> own;  // by the part's own face numbers
+        TopTools_IndexedMapOfShape part_faces;
+        TopExp::MapShapes(shape, TopAbs_FACE, part_faces);
+        for (const TDF_Label& sub_label : sub_shapes_of(part)) {
+            TopTools_IndexedMapOfShape sub_faces;
+            TopExp::MapShapes(XCAFDoc_ShapeTool::GetShape(sub_label), TopAbs_FACE, sub_faces);
+            for (int i = 1; i <= sub_faces.Extent(); ++i) {
+                const int number = part_faces.FindIndex(sub_faces(i));
+                own[number] = looks_.of(sub_label, own.contains(number) ? own[number] : look);
+            }
+        }
+        for (int i = 1; i <= part_faces.Extent(); ++i) {
+            const int number = faces_.Add(part_faces(i).Moved(location));
+            face_looks_.try_emplace(number, own.contains(i) ? own[i] : look);
+        }
+    }
+
+    Looks looks_;
+    TopTools_IndexedMapOfShape faces_;
+    std::map<int, Look> face_looks_;
+    std::vector<TDF_Label> occurrences_;
+};
+
+/// Takes a component or a root out of the model, and assemblies that are empty then.
+void remove(const Document& document, const TDF_Label& occurrence) {
+    const occ::Handle<XCAFDoc_ShapeTool> tool = shapes_of(document);
+    const TDF_Label target = referred(occurrence);
+    if (XCAFDoc_ShapeTool::IsComponent(occurrence)) {
+        const TDF_Label assembly = occurrence.Father();
+        tool->RemoveComponent(occurrence);
+        if (components_of(assembly).empty()) {
+            TDF_LabelSequence users;
+            XCAFDoc_ShapeTool::GetUsers(assembly, users);
+            for (const TDF_Label& user : users) {
+                remove(document, user);
+            }
+            tool->RemoveShape(assembly);
+        }
+    } else {
+        tool->RemoveShape(occurrence);
+    }
+    if (target != occurrence && XCAFDoc_ShapeTool::IsFree(target)) {
+        tool->RemoveShape(target);
+    }
+}
+
+}  // namespace
+
+void ModelFile::merge_loose() {
+    const LooseFaces loose(document);
+    if (loose.occurrences().size() < 2) {
+        return;
+    }
+    const std::vector<TDF_Label> roots = roots_of(document);
+    const std::string name = roots.size() == 1 ? name_of(roots.front()) : std::string();
+    for (const TDF_Label& occurrence : loose.occurrences()) {
+        remove(document, occurrence);
+    }
+
+    const BRep_Builder builder;
+    TopoDS_Compound all;
+    builder.MakeCompound(all);
+    for (int i = 1; i <= loose.faces().Extent(); ++i) {
+        builder.Add(all, loose.faces()(i));
+    }
+    const occ::Handle<XCAFDoc_ShapeTool> tool = shapes_of(document);
+    const TDF_Label part = tool->AddShape(all, false);
+    set_name(part, name.empty() ? path.stem().string() : name);
+    const Looks looks(document);
+    for (int i = 1; i <= loose.faces().Extent(); ++i) {
+        looks.set(tool->AddSubShape(part, loose.faces()(i)), loose.look(i));
+    }
+    tool->UpdateAssemblies();
+}
+
+}  // namespace suture::io

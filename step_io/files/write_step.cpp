@@ -1,0 +1,82 @@
+#include "files/write_step.h"
+
+#include "files/static_scope.h"
+
+#include <APIHeaderSection_MakeHeader.hxx>
+#include <Interface_HArray1OfHAsciiString.hxx>
+#include <STEPCAFControl_Writer.hxx>
+#include <StepData_Protocol.hxx>
+#include <StepData_StepModel.hxx>
+#include <StepData_StepWriter.hxx>
+#include <TCollection_HAsciiString.hxx>
+#include <XSControl_WorkSession.hxx>
+
+namespace suture::io {
+
+namespace {
+
+occ::Handle<TCollection_HAsciiString> to_occ(const std::string& text) {
+    return occ::make<TCollection_HAsciiString>(text.c_str());
+}
+
+/// STEP has no empty list here: at least one empty string.
+occ::Handle<Interface_HArray1OfHAsciiString> to_occ(const std::vector<std::string>& texts) {
+    const int count = std::max<int>(1, static_cast<int>(texts.size()));
+    auto array = occ::make<Interface_HArray1OfHAsciiString>(1, count);
+    for (int i = 1; i <= count; ++i) {
+        array->SetValue(i, to_occ(texts.empty() ? "" : texts[static_cast<std::size_t>(i) - 1]));
+    }
+    return array;
+}
+
+const char* occt_schema(const std::string& schema) {
+    return schema == "AP203" ? "AP203" : schema == "AP242" ? "AP242DIS" : "AP214IS";
+}
+
+void write_header(const ModelFile& model, const std::string& name,
+                  const occ::Handle<StepData_StepModel>& entities) {
+    APIHeaderSection_MakeHeader header(entities);
+    header.SetName(to_occ(name));
+    header.SetOriginatingSystem(to_occ("Suture " SUTURE_VERSION));
+    header.SetAuthor(to_occ(model.origin.authors));
+    header.SetOrganization(to_occ(model.origin.organizations));
+    header.SetAuthorisation(to_occ(model.origin.authorisation));
+    if (!model.origin.description.empty()) {
+        header.SetDescription(to_occ(model.origin.description));
+    }
+}
+
+}  // namespace
+
+Result<void> write_step(const ModelFile& model, const std::string& name, std::ostream& stream) {
+    StaticScope scope;
+    scope.set("write.step.schema", occt_schema(model.schema));  // before there is a writer
+    scope.set("write.step.unit", model.unit.c_str());
+    scope.set("xstep.cascade.unit", "MM");
+    scope.set("write.stepcaf.subshapes.name", 1);
+    scope.set("write.step.product.name", name.c_str());
+    if (model.precision > 0.0) {
+        constexpr int kUseGivenValue = 2;
+        scope.set("write.precision.mode", kUseGivenValue);
+        scope.set("write.precision.val", model.precision);
+    }
+    STEPCAFControl_Writer writer;
+    writer.SetSHUOMode(true);
+    writer.SetDimTolMode(false);
+    writer.SetPropsMode(false);
+    writer.SetMaterialMode(true);
+    if (!writer.Transfer(model.document, STEPControl_AsIs)) {
+        return fail(ErrorCode::Internal, "OCCT cannot write the model as STEP{}{}",
+                    scope.complaint().empty() ? "" : ": ", scope.complaint());
+    }
+    const occ::Handle<StepData_StepModel> entities = writer.ChangeWriter().Model();
+    write_header(model, name, entities);
+    StepData_StepWriter text(entities);
+    text.SendModel(occ::cast<StepData_Protocol>(writer.ChangeWriter().WS()->Protocol()));
+    if (!text.Print(stream)) {
+        return fail(ErrorCode::WriteFailed, "OCCT could not print the STEP file");
+    }
+    return {};
+}
+
+}  // namespace suture::io
