@@ -163,9 +163,8 @@ Result<void> expect_positive(std::string_view option, double value) {
 std::optional<std::string_view> nearest(std::string_view name,
                                         const std::vector<std::string_view>& known) {
     const auto distance = [&](std::string_view other) { return edit_distance(name, other); };
-    const auto best = std::min_element(known.begin(), known.end(), [&](auto a, auto b) {
-        return distance(a) < distance(b);
-    });
+    const auto best = std::min_element(known.begin(), known.end(),
+                                       [&](auto a, auto b) { return distance(a) < distance(b); });
     // Half of the letters right: below that it is another word, not a slip.
     if (best == known.end() || 2 * distance(*best) > std::max(name.size(), best->size())) {
         return std::nullopt;
@@ -173,8 +172,8 @@ std::optional<std::string_view> nearest(std::string_view name,
     return *best;
 }
 
-Result<void> expect_writable(std::string_view option, const fs::path& output,
-                             const fs::path& input, bool force) {
+Result<void> expect_writable(std::string_view option, const fs::path& output, const fs::path& input,
+                             bool force) {
     std::error_code error;
     if (fs::is_directory(output, error)) {
         return fail(ErrorCode::Usage, "{} {} is a folder: name a file in it", option,

@@ -1,9 +1,8 @@
-#include "suture/check/continuity.h"
-
 #include "cli/arguments.h"
 #include "cli/load.h"
 #include "cli/options.h"
 #include "cli/report_json.h"
+#include "suture/check/continuity.h"
 #include "suture/check/validity.h"
 
 #include <fmt/format.h>
@@ -25,7 +24,8 @@ constexpr const char* kExamples =
     "  suture check part.step                          every edge, against CATIA's limits\n"
     "  suture check part.step --edges 12,15-17         these edges only\n"
     "  suture check part.step --g1 0.1 --report r.html\n"
-    "Exit codes: 0 all edges pass, 4 some are near misses, 2 the file cannot be read, 1 wrong usage.\n";
+    "Exit codes: 0 all edges pass, 4 some are near misses, 2 the file cannot be read, 1 wrong "
+    "usage.\n";
 
 struct CheckOptions {
     LoadOptions load;
@@ -53,11 +53,10 @@ Result<void> choose_profile(CheckOptions& options) {
     Profile& profile = options.profile;
     profile = *named;
     constexpr double kDegree = kPi / 180.0;
-    for (const auto& result :
-         {take_limit("--g0", options.g0, 1.0, profile.tolerance.linear),
-          take_limit("--g1", options.g1, kDegree, profile.tolerance.angular),
-          take_limit("--g2", options.g2, 0.01, profile.tolerance.curvature),
-          take_limit("--sharp", options.sharp, kDegree, profile.sharp)}) {
+    for (const auto& result : {take_limit("--g0", options.g0, 1.0, profile.tolerance.linear),
+                               take_limit("--g1", options.g1, kDegree, profile.tolerance.angular),
+                               take_limit("--g2", options.g2, 0.01, profile.tolerance.curvature),
+                               take_limit("--sharp", options.sharp, kDegree, profile.sharp)}) {
         if (!result) {
             return result;
         }
@@ -92,8 +91,8 @@ Section edge_section(std::vector<EdgeContinuity> edges, const Profile& profile) 
     };
     std::stable_sort(edges.begin(), edges.end(),
                      [&](const auto& a, const auto& b) { return rank(a) < rank(b); });
-    Table table({">edge", "faces", "class", ">gap [mm]", ">angle [deg]", ">curvature [%]", "at",
-                 "remark"});
+    Table table(
+        {">edge", "faces", "class", ">gap [mm]", ">angle [deg]", ">curvature [%]", "at", "remark"});
     for (const EdgeContinuity& edge : edges) {
         const auto& at = edge.max_gap > profile.tolerance.linear ? edge.gap_at : edge.angle_at;
         table.add({std::to_string(edge.edge), fmt::format("{}, {}", edge.faces[0], edge.faces[1]),
@@ -142,11 +141,10 @@ Json json_of(const Summary& summary, const ContinuityReport& report) {
 }
 
 std::string verdict_of(const Summary& summary, const Profile& profile) {
-    const std::string limits =
-        fmt::format("{} mm, {} deg", short_number(profile.tolerance.linear),
-                    short_number(degrees(profile.tolerance.angular)));
+    const std::string limits = fmt::format("{} mm, {} deg", short_number(profile.tolerance.linear),
+                                           short_number(degrees(profile.tolerance.angular)));
     std::string kinds = fmt::format("{} G2, {} G1, {} G0, {} sharp", summary.g2, summary.g1,
-                                          summary.g0, summary.sharp);
+                                    summary.g0, summary.sharp);
     if (summary.unmeasured > 0) {
         kinds += fmt::format("; {} could not be measured", counted(summary.unmeasured, "edge"));
     }
@@ -154,13 +152,14 @@ std::string verdict_of(const Summary& summary, const Profile& profile) {
         return fmt::format("all of {} pass ({}): {}", counted(summary.edges, "edge"), limits,
                            kinds);
     }
-    return fmt::format("{} of {} near misses, neither sharp nor within {}: {}",
-                       summary.near_misses, counted(summary.edges, "edge"), limits, kinds);
+    return fmt::format("{} of {} near misses, neither sharp nor within {}: {}", summary.near_misses,
+                       counted(summary.edges, "edge"), limits, kinds);
 }
 
 Section shape_section(const Validity& validity, const ContinuityReport& report) {
-    Section section{"Shape", Table({">solids", ">shells", ">faces", "closed", "valid",
-                                    ">free edges", ">largest tolerance [mm]"}),
+    Section section{"Shape",
+                    Table({">solids", ">shells", ">faces", "closed", "valid", ">free edges",
+                           ">largest tolerance [mm]"}),
                     validity.problems};
     section.table.add({std::to_string(validity.solids), std::to_string(validity.shells),
                        std::to_string(validity.faces), validity.closed ? "yes" : "no",
@@ -185,8 +184,7 @@ Result<Outcome> check(Run& run, const Command& command, const CheckOptions& opti
     const Validity validity = measure_validity(model->whole);
     const Summary summary = summarise(*report, options.profile);
     Outcome outcome;
-    outcome.exit_code =
-        summary.near_misses + summary.unmeasured > 0 ? kOutOfTolerance : kDone;
+    outcome.exit_code = summary.near_misses + summary.unmeasured > 0 ? kOutOfTolerance : kDone;
     outcome.verdict = verdict_of(summary, options.profile);
     Json edges = Json::array();
     for (const EdgeContinuity& edge : report->edges) {
@@ -194,16 +192,15 @@ Result<Outcome> check(Run& run, const Command& command, const CheckOptions& opti
         entry["near_miss"] = near_miss(edge, options.profile);
         edges.push_back(std::move(entry));
     }
-    outcome.document = {{"model", json_of(model->file)},
-                        {"sewing", json_of(model->sewing)},
-                        {"profile", json_of(options.profile)},
-                        {"edges", std::move(edges)},
-                        {"summary", json_of(summary, *report)},
-                        {"shape", json_of(validity)},
-                        {"seconds",
-                         {{"read", model->seconds_read},
-                          {"sew", model->seconds_sew},
-                          {"check", watch.seconds()}}}};
+    outcome.document = {
+        {"model", json_of(model->file)},
+        {"sewing", json_of(model->sewing)},
+        {"profile", json_of(options.profile)},
+        {"edges", std::move(edges)},
+        {"summary", json_of(summary, *report)},
+        {"shape", json_of(validity)},
+        {"seconds",
+         {{"read", model->seconds_read}, {"sew", model->seconds_sew}, {"check", watch.seconds()}}}};
     outcome.sections.push_back(edge_section(report->edges, options.profile));
     outcome.sections.push_back(shape_section(validity, *report));
     return outcome;

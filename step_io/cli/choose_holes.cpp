@@ -35,9 +35,8 @@ Result<std::size_t> part_of_hole(int id, const std::vector<PartLoops>& parts) {
     if (part) {
         return *part;
     }
-    const int count = parts.empty() ? 0
-                                    : parts.back().ids_before +
-                                          static_cast<int>(parts.back().loops.size());
+    const int count =
+        parts.empty() ? 0 : parts.back().ids_before + static_cast<int>(parts.back().loops.size());
     return fail(ErrorCode::Usage, "there is no hole {}: {}; `suture inspect` lists them", id,
                 count == 0 ? "the model has no boundary loop"
                            : fmt::format("the boundary loops have the numbers 1 to {}", count));

@@ -9,6 +9,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <array>
 #include <filesystem>
 #include <functional>
 #include <memory>
@@ -50,12 +51,16 @@ class Run {
     /// Input  from, to: what the stage covers of the whole run, in [0,1].
     [[nodiscard]] Progress stage(Stage stage, std::string what, double from, double to);
 
+    /// Lets the stages to come cover only a part of the run: for runs that repeat their stages.
+    void window(double from, double to) { window_ = {from, to}; }
+
     [[nodiscard]] ProgressDisplay& display() { return display_; }
 
   private:
     StageLine line_;
     std::stop_token cancel_;
     ProgressDisplay display_;
+    std::array<double, 2> window_ = {0.0, 1.0};
 };
 
 /// Options that every command has.

@@ -57,11 +57,17 @@ ProgressStyle resolve(ProgressStyle style) {
 
 }  // namespace
 
-void print_error(std::string_view message) { print_line("error: ", message); }
+void print_error(std::string_view message) {
+    print_line("error: ", message);
+}
 
-void print_warning(std::string_view message) { print_line("warning: ", message); }
+void print_warning(std::string_view message) {
+    print_line("warning: ", message);
+}
 
-ResultStream::ResultStream() : file_(dup(STDOUT_FILENO)) { dup2(STDERR_FILENO, STDOUT_FILENO); }
+ResultStream::ResultStream() : file_(dup(STDOUT_FILENO)) {
+    dup2(STDERR_FILENO, STDOUT_FILENO);
+}
 
 ResultStream::~ResultStream() {
     std::fflush(stdout);
@@ -69,11 +75,15 @@ ResultStream::~ResultStream() {
     close(file_);
 }
 
-void ResultStream::print(std::string_view text) const { write_all(file_, text); }
+void ResultStream::print(std::string_view text) const {
+    write_all(file_, text);
+}
 
 ProgressDisplay::ProgressDisplay(ProgressStyle style) : style_(resolve(style)) {}
 
-ProgressDisplay::~ProgressDisplay() { clear(); }
+ProgressDisplay::~ProgressDisplay() {
+    clear();
+}
 
 void ProgressDisplay::show(double fraction, std::string_view stage) {
     if (style_ == ProgressStyle::None) {
@@ -94,15 +104,15 @@ void ProgressDisplay::draw(double fraction, std::string_view stage) {
     if (style_ == ProgressStyle::Json) {
         const nlohmann::ordered_json line{{"progress", std::round(fraction * 1e4) / 1e4},
                                           {"stage", stage}};
-        write_all(STDERR_FILENO,
-                  line.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) +
-                      '\n');
+        write_all(
+            STDERR_FILENO,
+            line.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + '\n');
         return;
     }
     const int filled = static_cast<int>(fraction * kBarWidth);
     const std::string bar(static_cast<std::size_t>(filled), '#');
-    std::string line = fmt::format("[{:-<{}}] {:3.0f} %  {}", bar, kBarWidth, 100.0 * fraction,
-                                   stage);
+    std::string line =
+        fmt::format("[{:-<{}}] {:3.0f} %  {}", bar, kBarWidth, 100.0 * fraction, stage);
     line.resize(std::min(line.size(), static_cast<std::size_t>(terminal_width() - 1)));
     write_all(STDERR_FILENO, std::string(kEraseLine) + line);
     visible_ = true;

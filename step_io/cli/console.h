@@ -1,12 +1,12 @@
 #pragma once
 
+#include "suture/base/progress.h"
+#include "suture/base/result.h"
+
 #include <chrono>
 #include <mutex>
 #include <string>
 #include <string_view>
-
-#include "suture/base/progress.h"
-#include "suture/base/result.h"
 
 namespace suture::cli {
 

@@ -11,15 +11,18 @@ namespace suture::cli {
 namespace {
 
 constexpr const char* kDescription =
-    "Convert a model to the format that the output's ending asks for: .step .stp, .iges .igs, .brep "
-    "(and FreeCAD's .bin), or as a watertight mesh .stl .off .obj .3mf, for OpenSCAD's import() and "
+    "Convert a model to the format that the output's ending asks for: .step .stp, .iges .igs, "
+    ".brep "
+    "(and FreeCAD's .bin), or as a watertight mesh .stl .off .obj .3mf, for OpenSCAD's import() "
+    "and "
     "3D printing. Names, colours and the assembly tree stay where the format has a place for them.";
 
 constexpr const char* kExamples =
     "  suture convert part.igs part.step --sew      loose faces become shells and solids\n"
     "  suture convert part.step part.3mf            a mesh for printing\n"
     "  suture convert part.step part.stl --deflection 0.01\n"
-    "Exit codes: 0 done, 2 the file cannot be read, 1 wrong usage, 5 the output cannot be written.\n";
+    "Exit codes: 0 done, 2 the file cannot be read, 1 wrong usage, 5 the output cannot be "
+    "written.\n";
 
 struct ConvertOptions {
     std::filesystem::path output;
@@ -64,23 +67,21 @@ Result<Outcome> convert(Run& run, const Command& command, const ConvertOptions& 
         return tl::unexpected(written.error());
     }
     Outcome outcome;
-    outcome.verdict = fmt::format("wrote {} ({})", options.output.string(),
-                                  io::to_string(options.format));
+    outcome.verdict =
+        fmt::format("wrote {} ({})", options.output.string(), io::to_string(options.format));
     if (model->sewing.changed) {
-        outcome.verdict +=
-            fmt::format("; {} sewn at {} mm, {} left",
-                        counted(model->sewing.loose_faces, "loose face"),
-                        short_number(model->sewing.tolerance),
-                        counted(model->sewing.free_edges_after, "free edge"));
+        outcome.verdict += fmt::format("; {} sewn at {} mm, {} left",
+                                       counted(model->sewing.loose_faces, "loose face"),
+                                       short_number(model->sewing.tolerance),
+                                       counted(model->sewing.free_edges_after, "free edge"));
     }
-    outcome.document = {{"output", options.output.string()},
-                        {"output_format", io::to_string(options.format)},
-                        {"model", json_of(model->file)},
-                        {"sewing", json_of(model->sewing)},
-                        {"seconds",
-                         {{"read", model->seconds_read},
-                          {"sew", model->seconds_sew},
-                          {"write", watch.seconds()}}}};
+    outcome.document = {
+        {"output", options.output.string()},
+        {"output_format", io::to_string(options.format)},
+        {"model", json_of(model->file)},
+        {"sewing", json_of(model->sewing)},
+        {"seconds",
+         {{"read", model->seconds_read}, {"sew", model->seconds_sew}, {"write", watch.seconds()}}}};
     return outcome;
 }
 

@@ -1,1 +1,209 @@
-// placeholder until the next save
+#include "cli/arguments.h"
+#include "cli/convert.h"
+#include "cli/fill_report.h"
+#include "cli/methods.h"
+#include "cli/options.h"
+
+#include <fmt/format.h>
+#include <tbb/global_control.h>
+
+#include <optional>
+
+namespace suture::cli {
+namespace {
+
+constexpr const char* kDescription =
+    "Fill the holes of a model with smooth B-spline faces, sew them in, and write the model. The "
+    "faces around a hole, their edges and their names and colours stay as they are. The result is "
+    "read again from the written file and measured there; what is out of tolerance or refused is "
+    "written all the same, and the report and the exit code say so.";
+
+constexpr const char* kExamples =
+    "  suture fill part.step -o filled.step                   all holes, the best method for each\n"
+    "  suture fill part.step -o filled.step --hole 2 5        two of those that `inspect` lists\n"
+    "  suture fill part.step -o filled.step --hole 3+4        one face with an island\n"
+    "  suture fill part.step -o filled.step --edges 12        the hole that has this edge\n"
+    "  suture fill part.step -o filled.step --continuity G1 --edge-continuity 12=G2,13=G0\n"
+    "  suture fill wing.igs -o wing.step --report wing.html   loose faces are sewn first\n"
+    "  suture fill part.step -o part.3mf --deflection 0.02    a watertight mesh\n"
+    "Exit codes: 0 done, 4 done but out of tolerance or some hole refused, 3 no hole (nothing is "
+    "written),\n2 the file cannot be read, 1 wrong usage, 5 the output could not be written.\n";
+
+struct FillOptions {
+    std::filesystem::path output;
+    std::string holes, edges;
+    std::string method = "auto";
+    std::string continuity = "auto";
+    std::string edge_continuity;
+    std::string occt_setting = "default";
+    std::optional<double> tolerance, angle, curvature, timeout;
+    MeshSettings mesh;
+    std::optional<int> jobs;
+    bool all_loops = false;
+    bool force = false;
+    FillSettings settings;
+};
+
+template <class T, class Target>
+Result<void> take(Result<T> value, Target& target) {
+    if (!value) {
+        return tl::unexpected(value.error());
+    }
+    target = std::move(*value);
+    return {};
+}
+
+Result<void> take_positive(std::string_view option, const std::optional<double>& given,
+                           double factor, double& target) {
+    if (!given) {
+        return {};
+    }
+    target = *given * factor;
+    return expect_positive(option, *given);
+}
+
+/// Which holes, and how smooth.
+Result<void> take_wishes(const FillOptions& options, FillRequest& request) {
+    if (!options.holes.empty()) {
+        if (!options.edges.empty()) {
+            return fail(ErrorCode::Usage, "give --hole or --edges, not both");
+        }
+        if (auto result = take(parse_holes(options.holes), request.holes); !result) {
+            return result;
+        }
+    }
+    if (!options.edges.empty()) {
+        if (auto result = take(parse_edges(options.edges), request.edges); !result) {
+            return result;
+        }
+    }
+    if (!options.edge_continuity.empty()) {
+        if (auto result =
+                take(parse_edge_continuity(options.edge_continuity), request.edge_continuity);
+            !result) {
+            return result;
+        }
+    }
+    request.all_loops = options.all_loops;
+    return take(parse_continuity(options.continuity), request.continuity);
+}
+
+/// How, and how exactly.
+Result<void> take_limits(const FillOptions& options, FillRequest& request) {
+    request.method = options.method;
+    request.plate_setting =
+        options.occt_setting == "tuned" ? PlateSetting::Tuned : PlateSetting::Default;
+    double timeout = std::chrono::duration<double>(request.plate_limit).count();
+    if (options.jobs && *options.jobs < 1) {
+        return fail(ErrorCode::Usage, "--jobs must be at least 1, not {}", *options.jobs);
+    }
+    for (const auto& result :
+         {expect_method(options.method),
+          take_positive("--tolerance", options.tolerance, 1.0, request.tolerance.linear),
+          take_positive("--angle", options.angle, kPi / 180.0, request.tolerance.angular),
+          take_positive("--curvature", options.curvature, 0.01, request.tolerance.curvature),
+          take_positive("--timeout", options.timeout, 1.0, timeout), validate(request.tolerance)}) {
+        if (!result) {
+            return result;
+        }
+    }
+    request.plate_limit = std::chrono::milliseconds(static_cast<std::int64_t>(1000.0 * timeout));
+    return {};
+}
+
+Result<void> validate_fill(Command& command, FillOptions& options) {
+    FillSettings& settings = options.settings;
+    settings.input = command.input;
+    settings.output = options.output;
+    command.outputs = {options.output};
+    if (auto format = take(io::format_of_extension(options.output), settings.format); !format) {
+        return format;
+    }
+    for (const auto& result :
+         {take_wishes(options, settings.request), take_limits(options, settings.request),
+          validate_sewing(settings.load), validate_mesh(options.mesh),
+          expect_writable("-o", options.output, command.input, options.force)}) {
+        if (!result) {
+            return result;
+        }
+    }
+    settings.mesh = to_io(options.mesh);
+    return {};
+}
+
+void add_choice(CLI::App& app, FillOptions& options) {
+    app.add_option("--hole,--holes", options.holes,
+                   "Only these holes, as `suture inspect` numbers them; 3+4 is one face with an "
+                   "island")
+        ->option_text("ID...");
+    app.add_option("--edges,--edge", options.edges,
+                   "Only the holes that have these edges (FreeCAD's EdgeN)")
+        ->option_text("E...");
+    app.add_flag("--all-loops", options.all_loops,
+                 "Fill rims of open sheets and doubtful loops too");
+}
+
+void add_wishes(CLI::App& app, FillOptions& options) {
+    app.add_option("--method", options.method,
+                   "Fill method (default auto: tries, measures, keeps the best); see `suture "
+                   "methods`")
+        ->option_text("ID");
+    app.add_option("--continuity", options.continuity,
+                   "How the new face joins its neighbours: G0 (position), G1 (tangent), G2 "
+                   "(curvature) or auto")
+        ->option_text("G0|G1|G2|auto");
+    app.add_option("--edge-continuity", options.edge_continuity,
+                   "The same for single edges: 12=G2,13=G0")
+        ->option_text("E=G2...");
+    app.add_option("--tolerance", options.tolerance, "Largest gap (default 0.001)")
+        ->option_text("MM");
+    app.add_option("--angle", options.angle, "Largest angle of tangent joins (default 0.01)")
+        ->option_text("DEG");
+    app.add_option("--curvature", options.curvature,
+                   "Largest curvature mismatch of G2 joins (default 2)")
+        ->option_text("PERCENT");
+    app.add_option("--occt-setting", options.occt_setting,
+                   "Method occt: OCCT's default settings, or better ones")
+        ->check(CLI::IsMember({"default", "tuned"}))
+        ->option_text("default|tuned");
+    app.add_option("--timeout", options.timeout,
+                   "Method occt: give up a hole after so many seconds (default 120)")
+        ->option_text("SECONDS");
+    app.add_option("--jobs,-j", options.jobs, "Threads (default: all cores)")->option_text("N");
+}
+
+}  // namespace
+
+std::shared_ptr<Command> add_fill(CLI::App& app) {
+    auto command = add_command(app, "fill", kDescription, kExamples);
+    auto options = std::make_shared<FillOptions>();
+    add_input(*command);
+    CLI::App& sub = *command->app;
+    sub.add_option("-o,--output", options->output,
+                   "The file to write: .step .iges .brep, or a mesh .stl .off .obj .3mf")
+        ->required()
+        ->option_text("OUT");
+    add_choice(sub, *options);
+    add_wishes(sub, *options);
+    add_sewing(*command, options->settings.load);
+    add_mesh(sub, options->mesh);
+    add_reports(*command);
+    sub.add_flag("--force", options->force, "Allow OUT to be IN itself");
+    Command* self = command.get();
+    command->validate = [options, self] { return validate_fill(*self, *options); };
+    command->run = [options](Run& run) -> Result<Outcome> {
+        std::optional<tbb::global_control> threads;
+        if (options->jobs) {
+            threads.emplace(tbb::global_control::max_allowed_parallelism,
+                            static_cast<std::size_t>(*options->jobs));
+        }
+        const Result<FillSummary> summary = fill_model(run, options->settings);
+        if (!summary) {
+            return tl::unexpected(summary.error());
+        }
+        return report_fill(*summary, options->settings);
+    };
+    return command;
+}
+
+}  // namespace suture::cli

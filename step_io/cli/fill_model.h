@@ -31,14 +31,13 @@ struct FillSeconds {
 /// What has become of a model. The figures of the holes, and `validity`, are measured on the
 /// output as it is read again, or, if that is a mesh, on the model in memory.
 struct FillSummary {
-    std::vector<HoleReport> holes;
-    std::vector<BoundaryLoop> open;  ///< loops that were not asked for, with the model's ids
+    std::vector<HoleReport> holes;  ///< every boundary loop of the model
+    std::vector<int> sides;         ///< how many edges each of these has
     Validity validity;
     bool measured_on_file = false;
     SewingFacts sewing;
     io::ModelFile file;
     FillSeconds seconds;
-    std::vector<std::string> notes;
 };
 
 /// Reads a model, fills its holes, writes it, reads it again, and measures.

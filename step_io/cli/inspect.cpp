@@ -3,9 +3,9 @@
 #include "cli/report_json.h"
 #include "suture/ribbon/extract.h"
 
-#include <BRepAdaptor_Curve.hxx>
-
 #include <fmt/format.h>
+
+#include <BRepAdaptor_Curve.hxx>
 
 #include <algorithm>
 
@@ -13,7 +13,8 @@ namespace suture::cli {
 namespace {
 
 constexpr const char* kDescription =
-    "List the holes of a model: which edges and faces bound them, how large they are, and how their "
+    "List the holes of a model: which edges and faces bound them, how large they are, and how "
+    "their "
     "corners meet. Nothing is changed. Rims of open sheets and unsewn seams are listed apart: they "
     "are no holes. Loose faces (IGES) are sewn first, in memory; edge and face numbers are then "
     "those of the sewn model.";

@@ -14,6 +14,7 @@ namespace {
 constexpr double kReadingShare = 0.8;
 
 Result<void> sew(LoadedModel& model, double tolerance) {
+    model.file.merge_loose();
     for (const io::Part& part : model.file.parts()) {
         const Result<SewnShape> sewn = sew_loose(part.shape, tolerance);
         if (!sewn) {
@@ -41,8 +42,8 @@ Result<void> sew(LoadedModel& model, double tolerance) {
 Result<LoadedModel> load_model(Run& run, const std::filesystem::path& file,
                                const LoadOptions& options, double to) {
     const Stopwatch reading;
-    const Progress progress = run.stage(Stage::Reading, "reading " + file.filename().string(), 0.0,
-                                        to * kReadingShare);
+    const Progress progress =
+        run.stage(Stage::Reading, "reading " + file.filename().string(), 0.0, to * kReadingShare);
     Result<io::ModelFile> read = io::read_model(file, progress);
     if (!read) {
         return tl::unexpected(read.error());

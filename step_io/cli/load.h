@@ -46,10 +46,10 @@ struct LoadedModel {
 /// One part of a model with its boundary loops, in the part's own coordinates.
 struct PartLoops {
     io::Part part;
-    TopLoc_Location placement;       ///< of its first instance in the model
-    occ::Numbering numbering;        ///< the model's, for the part's own shapes
-    std::vector<BoundaryLoop> loops; ///< with ids that count through the whole model
-    int ids_before = 0;              ///< id in the model = id in the part + ids_before
+    TopLoc_Location placement;        ///< of its first instance in the model
+    occ::Numbering numbering;         ///< the model's, for the part's own shapes
+    std::vector<BoundaryLoop> loops;  ///< with ids that count through the whole model
+    int ids_before = 0;               ///< id in the model = id in the part + ids_before
 };
 
 /// The boundary loops of every part, each part once however often it stands in the model.

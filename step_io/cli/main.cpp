@@ -1,17 +1,17 @@
-#include "cli/command.h"
 #include "cli/arguments.h"
+#include "cli/command.h"
 #include "cli/options.h"
 #include "cli/report_html.h"
 #include "cli/report_json.h"
 #include "cli/text_file.h"
 #include "suture/occ/guard.h"
 
-#include <Message.hxx>
-#include <Message_Messenger.hxx>
-
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
 #include <unistd.h>
+
+#include <Message.hxx>
+#include <Message_Messenger.hxx>
 
 #include <cmath>
 #include <cstring>
@@ -25,7 +25,8 @@ constexpr const char* kAbout =
 
 constexpr const char* kFooter =
     "First steps:\n"
-    "  suture demo                                fill the bundled examples and look at the report\n"
+    "  suture demo                                fill the bundled examples and look at the "
+    "report\n"
     "  suture inspect part.step                   which holes are there?\n"
     "  suture fill part.step -o filled.step       fill them all\n"
     "  suture check filled.step                   how smooth did it get?\n"
@@ -93,8 +94,8 @@ int run_job(Command& command, const StageLine& line, std::stop_token cancel) {
     const ResultStream out;
     set_up_log(command.common.verbose);
     Run run(line, std::move(cancel), command.common.progress);
-    const Result<Outcome> outcome = occ::guarded(
-        std::string("suture ") + command.app->get_name(), [&]() -> Result<Outcome> {
+    const Result<Outcome> outcome =
+        occ::guarded(std::string("suture ") + command.app->get_name(), [&]() -> Result<Outcome> {
             silence_occt(command.common.verbose);
             Result<Outcome> result = command.run(run);
             if (result) {
@@ -114,9 +115,20 @@ int run_job(Command& command, const StageLine& line, std::stop_token cancel) {
     return outcome->exit_code;
 }
 
+/// Whether the output is there although the run did not come to its end.
+std::string what_is_written(const Command& command, const Ending& ending) {
+    if (command.outputs.empty()) {
+        return "";
+    }
+    return ending.stage == Stage::Checking
+               ? fmt::format("; {} is written, but not measured", command.outputs.front().string())
+               : "; nothing was written";
+}
+
 /// What is said of a job that did not end by itself.
 Error error_of(const Command& command, const Ending& ending) {
-    const std::string file = command.input.string();
+    const std::string file = command.input.empty() ? "demo" : command.input.string();
+    const std::string written = what_is_written(command, ending);
     const bool reading = ending.stage == Stage::Reading;
     switch (ending.kind) {
         case Ending::Kind::Crashed:
@@ -127,8 +139,8 @@ Error error_of(const Command& command, const Ending& ending) {
                                     file, strsignal(ending.code), ending.what)};
             }
             return {ErrorCode::Internal,
-                    fmt::format("{}: the program crashed ({}) while {}; nothing was written", file,
-                                strsignal(ending.code), ending.what)};
+                    fmt::format("{}: the program crashed ({}) while {}{}", file,
+                                strsignal(ending.code), ending.what, written)};
         case Ending::Kind::ReadTimeout:
             return {ErrorCode::Unreadable,
                     fmt::format("{}: reading took longer than {:g} s; give it more time with "
@@ -141,8 +153,7 @@ Error error_of(const Command& command, const Ending& ending) {
         case Ending::Kind::Exited:
             break;
     }
-    return {ErrorCode::Cancelled, fmt::format("interrupted while {}; nothing was written",
-                                              ending.what)};
+    return {ErrorCode::Cancelled, fmt::format("interrupted while {}{}", ending.what, written)};
 }
 
 int supervised(Command& command) {
@@ -155,10 +166,10 @@ int supervised(Command& command) {
         return ending.code;
     }
     for (const auto& output : command.outputs) {
-        remove_temporaries(output);
+        remove_temporaries(output, ending.process);
     }
     for (const auto& report : command.common.reports) {
-        remove_temporaries(report);
+        remove_temporaries(report, ending.process);
     }
     const Error error = error_of(command, ending);
     constexpr int kSignalBase = 128;  // as shells have it
@@ -175,9 +186,9 @@ int run_program(const std::vector<std::string>& words) {
     app.footer(kFooter);
     app.require_subcommand(1);
     app.get_formatter()->column_width(34);
-    const std::vector<std::shared_ptr<Command>> commands{
-        add_inspect(app), add_fill(app),    add_check(app),
-        add_convert(app), add_methods(app), add_demo(app)};
+    const std::vector<std::shared_ptr<Command>> commands{add_inspect(app), add_fill(app),
+                                                         add_check(app),   add_convert(app),
+                                                         add_methods(app), add_demo(app)};
     try {
         std::vector<std::string> reversed = join_number_lists(words);
         std::reverse(reversed.begin(), reversed.end());  // as CLI11 wants them

@@ -13,9 +13,10 @@ std::shared_ptr<Command> add_command(CLI::App& app, const std::string& name,
     command->app->add_flag("--json", common.json,
                            "Print one JSON document on stdout, and nothing else there");
     command->app
-        ->add_option("--progress", common.progress,
-                     "How to show progress on stderr: auto (a bar on a terminal), bar, json (a line "
-                     "of JSON per step) or none")
+        ->add_option(
+            "--progress", common.progress,
+            "How to show progress on stderr: auto (a bar on a terminal), bar, json (a line "
+            "of JSON per step) or none")
         ->transform(CLI::CheckedTransformer(
             std::map<std::string, ProgressStyle>{{"auto", ProgressStyle::Auto},
                                                  {"none", ProgressStyle::None},

@@ -1,7 +1,10 @@
 #include "cli/remeasure.h"
 
+#include "suture/base/contract.h"
 #include "suture/check/continuity.h"
 #include "suture/occ/convert.h"
+
+#include <fmt/format.h>
 
 #include <BRepGProp.hxx>
 #include <BRep_Tool.hxx>
@@ -10,12 +13,11 @@
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
 
-#include <fmt/format.h>
-
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <map>
-#include <optional>
+#include <span>
 
 namespace suture::cli {
 namespace {
@@ -110,32 +112,28 @@ class FaceFinder {
     std::vector<Signature> faces_;
 };
 
-/// A hole to be measured: its new faces and their edges in the measured shape.
+/// A hole to be measured.
 struct Found {
     HoleReport* hole = nullptr;
     const FilledPart* part = nullptr;
-    std::vector<int> faces;
-    std::vector<int> edges;
+    std::vector<int> edges;  ///< of the new faces, in the measured shape
 };
 
-/// Fills in `found.faces` and `found.edges`; false if a face is not there.
-bool find_faces(const occ::Numbering& result, const occ::Numbering& measured, FaceFinder& finder,
-                Found& found) {
-    for (PatchFacts& patch : found.hole->patches) {
-        if (patch.face < 1 || patch.face > result.faces.Extent()) {
+/// Finds the new faces of a hole and their edges; false if a face is not there.
+bool find_faces(std::span<const TopoDS_Face> new_faces, const occ::Numbering& measured,
+                FaceFinder& finder, Found& found) {
+    for (std::size_t i = 0; i < new_faces.size(); ++i) {
+        const int face =
+            finder.find(signature_of(new_faces[i].Moved(found.part->before->placement)));
+        if (face == 0) {
             return false;
         }
-        const TopoDS_Shape face = result.faces(patch.face).Moved(found.part->before->placement);
-        patch.face = finder.find(signature_of(face));
-        if (patch.face == 0) {
-            return false;
-        }
-        found.faces.push_back(patch.face);
-        for (const TopoDS_Edge& edge : occ::edges_of(measured.faces(patch.face))) {
+        found.hole->patches[i].face = face;
+        for (const TopoDS_Edge& edge : occ::edges_of(measured.faces(face))) {
             found.edges.push_back(measured.of(edge));
         }
     }
-    return !found.faces.empty();
+    return true;
 }
 
 void forget_figures(HoleReport& hole) {
@@ -214,9 +212,12 @@ void judge(const Found& found, const occ::Numbering& measured,
             side->curvature_mismatch = edge.curvature_mismatch;
         }
         hole.max_gap = std::max(hole.max_gap, edge.max_gap);
-        hole.max_angle = std::max(hole.max_angle, edge.max_angle);
-        hole.max_curvature_mismatch =
-            std::max(hole.max_curvature_mismatch, edge.curvature_mismatch);
+        // Where only position was asked for, the angle is the design's, not an error.
+        if (wanted >= Continuity::G1) {
+            hole.max_angle = std::max(hole.max_angle, edge.max_angle);
+            hole.max_curvature_mismatch =
+                std::max(hole.max_curvature_mismatch, edge.curvature_mismatch);
+        }
         hole.continuity_reached = std::min(hole.continuity_reached, reached_by(edge, tolerance));
         hole.within_tolerance = hole.within_tolerance && meets(edge, wanted, tolerance);
     }
@@ -235,13 +236,16 @@ Result<void> remeasure(const TopoDS_Shape& shape, std::vector<FilledPart>& parts
     std::vector<Found> holes;
     std::vector<int> edges;
     for (FilledPart& part : parts) {
-        const occ::Numbering result(part.outcome.shape);
+        std::span<const TopoDS_Face> new_faces(part.outcome.new_faces);
         for (HoleReport& hole : part.outcome.holes) {
             if (hole.status != FillStatus::Filled) {
                 continue;
             }
-            Found found{&hole, &part, {}, {}};
-            if (!find_faces(result, measured, finder, found)) {
+            SUTURE_EXPECTS(hole.patches.size() <= new_faces.size());  // one face per patch
+            const auto own = new_faces.first(hole.patches.size());
+            new_faces = new_faces.subspan(own.size());
+            Found found{&hole, &part, {}};
+            if (!find_faces(own, measured, finder, found)) {
                 forget_figures(hole);
                 continue;
             }

@@ -86,8 +86,8 @@ std::string html_report(const Command& command, const Outcome& outcome) {
         title, file.empty() ? "" : ": ", file, kStyle);
     html += fmt::format("<h1>{}</h1>\n<p class=\"file\">{}</p>\n", title,
                         escaped(command.input.string()));
-    html += fmt::format("<p class=\"verdict{}\">{}</p>\n", outcome.exit_code == kDone ? "" : " warn",
-                        escaped(outcome.verdict));
+    html += fmt::format("<p class=\"verdict{}\">{}</p>\n",
+                        outcome.exit_code == kDone ? "" : " warn", escaped(outcome.verdict));
     for (const Section& section : outcome.sections) {
         html += html_of(section);
     }

@@ -18,11 +18,10 @@ Json strings_of(const std::vector<T>& values) {
 }
 
 Json json_of(const PatchFacts& patch) {
-    return {{"kind", patch.kind},         {"face", patch.face},
-            {"degree_u", patch.degree_u}, {"degree_v", patch.degree_v},
-            {"poles_u", patch.poles_u},   {"poles_v", patch.poles_v},
-            {"rational", patch.rational}, {"exact", patch.exact},
-            {"fit_error", patch.fit_error}};
+    return {
+        {"kind", patch.kind},         {"face", patch.face},       {"degree_u", patch.degree_u},
+        {"degree_v", patch.degree_v}, {"poles_u", patch.poles_u}, {"poles_v", patch.poles_v},
+        {"rational", patch.rational}, {"exact", patch.exact},     {"fit_error", patch.fit_error}};
 }
 
 Json json_of(const SideReport& side) {
@@ -77,7 +76,9 @@ Json error_document(const Command& command, const Error& error, int exit_code) {
     return document;
 }
 
-Json json_of(const Eigen::Vector3d& point) { return {point.x(), point.y(), point.z()}; }
+Json json_of(const Eigen::Vector3d& point) {
+    return {point.x(), point.y(), point.z()};
+}
 
 Json json_of(const io::ModelFile& file) {
     Json json{{"format", io::to_string(file.format)}, {"unit", file.unit}};
@@ -138,11 +139,11 @@ Json json_of(const BoundaryLoop& loop, const io::Part& part, const std::vector<C
             {"corners", corner_list}};
 }
 
-Json json_of(const HoleReport& hole) {
+Json json_of(const HoleReport& hole, int sides) {
     const bool filled = hole.status == FillStatus::Filled;
     Json json{{"id", hole.ids.front()},
               {"ids", hole.ids},
-              {"sides", hole.sides.size()},
+              {"sides", sides},
               {"status", to_string(hole.status)},
               {"method_requested", hole.method_requested},
               {"method_used", filled ? Json(hole.method_used) : Json()},

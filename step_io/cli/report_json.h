@@ -35,8 +35,8 @@ inline constexpr int kSchema = 1;
 [[nodiscard]] Json json_of(const BoundaryLoop& loop, const io::Part& part,
                            const std::vector<Corner>& corners);
 
-/// One entry of `holes` of fill.
-[[nodiscard]] Json json_of(const HoleReport& hole);
+/// One entry of `holes` of fill. sides: how many edges bound it.
+[[nodiscard]] Json json_of(const HoleReport& hole, int sides);
 
 /// One entry of `edges` of check, and its profile.
 [[nodiscard]] Json json_of(const EdgeContinuity& edge);

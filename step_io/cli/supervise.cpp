@@ -1,5 +1,7 @@
 #include "cli/supervise.h"
 
+#include "cli/exit_code.h"
+
 #include <fcntl.h>
 #include <poll.h>
 #include <sys/prctl.h>
@@ -13,8 +15,6 @@
 #include <csignal>
 #include <optional>
 #include <thread>
-
-#include "cli/exit_code.h"
 
 namespace suture::cli {
 namespace {
@@ -93,11 +93,11 @@ class Supervisor {
     }
 
     void wait_for_news() {
-        std::array<pollfd, 2> files{
-            {{line_open_ ? line_ : -1, POLLIN, 0}, {signals_, POLLIN, 0}}};
+        std::array<pollfd, 2> files{{{line_open_ ? line_ : -1, POLLIN, 0}, {signals_, POLLIN, 0}}};
         int timeout = -1;
         if (deadline_) {
-            const auto left = std::chrono::ceil<std::chrono::milliseconds>(*deadline_ - Clock::now());
+            const auto left =
+                std::chrono::ceil<std::chrono::milliseconds>(*deadline_ - Clock::now());
             timeout = std::max(0, static_cast<int>(left.count()));
         }
         if (poll(files.data(), files.size(), timeout) <= 0) {
@@ -176,7 +176,7 @@ class Supervisor {
     }
 
     [[nodiscard]] Ending interpret(int status) const {
-        Ending ending{Ending::Kind::Exited, 0, stage_, what_};
+        Ending ending{Ending::Kind::Exited, 0, stage_, what_, job_};
         if (WIFEXITED(status)) {
             ending.code = WEXITSTATUS(status);
         } else {
@@ -228,12 +228,12 @@ Ending supervise(std::chrono::milliseconds read_limit, const Job& job) {
     std::array<int, 2> line{};
     const int signals = signalfd(-1, &handled, SFD_CLOEXEC);
     if (signals < 0 || pipe2(line.data(), O_CLOEXEC | O_NONBLOCK) != 0) {
-        return {Ending::Kind::NotStarted, errno, Stage::Start, {}};
+        return {Ending::Kind::NotStarted, errno, Stage::Start, {}, 0};
     }
     const pid_t supervisor = getpid();
     const pid_t child = fork();
     if (child < 0) {
-        return {Ending::Kind::NotStarted, errno, Stage::Start, {}};
+        return {Ending::Kind::NotStarted, errno, Stage::Start, {}, 0};
     }
     if (child == 0) {
         close(line[0]);

@@ -36,6 +36,7 @@ struct Ending {
     int code = 0;
     Stage stage = Stage::Start;
     std::string what;  ///< what the job was doing at last
+    int process = 0;   ///< the job's process id, while it lived
 };
 
 using Job = std::function<int(const StageLine& line, std::stop_token cancel)>;

@@ -1,11 +1,11 @@
 #include "cli/table.h"
 
+#include "suture/base/contract.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-
-#include "suture/base/contract.h"
 
 namespace suture::cli {
 namespace {

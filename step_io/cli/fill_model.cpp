@@ -1,0 +1,193 @@
+#include "cli/fill_model.h"
+
+#include "cli/choose_holes.h"
+#include "cli/remeasure.h"
+#include "files/read.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace suture::cli {
+namespace {
+
+/// How a run divides into stages, for the progress shown.
+constexpr double kLoaded = 0.25;
+constexpr double kFound = 0.3;
+constexpr double kFilled = 0.7;
+constexpr double kWritten = 0.8;
+constexpr double kReread = 0.95;
+
+bool is_mesh(io::Format format) {
+    return format == io::Format::Stl || format == io::Format::Off || format == io::Format::Obj ||
+           format == io::Format::ThreeMf;
+}
+
+/// Loops of parts in which nothing is filled.
+void report_skipped(const PartLoops& part, const FillRequest& request,
+                    std::vector<HoleReport>& holes) {
+    for (const BoundaryLoop& loop : part.loops) {
+        HoleReport report;
+        report.ids = {loop.id};
+        report.method_requested = request.method;
+        report.reason = loop.kind == LoopKind::Hole ? "not asked for" : loop.reason;
+        holes.push_back(std::move(report));
+    }
+}
+
+class FillJob {
+  public:
+    FillJob(Run& run, const FillSettings& settings, LoadedModel model)
+        : run_(run), settings_(settings), model_(std::move(model)) {
+        summary_.seconds.read = model_.seconds_read;
+        summary_.seconds.sew = model_.seconds_sew;
+    }
+
+    Result<FillSummary> run() && {
+        for (const auto step :
+             {&FillJob::find, &FillJob::fill, &FillJob::write, &FillJob::measure}) {
+            const Result<void> done = (this->*step)();
+            if (!done) {
+                return tl::unexpected(done.error());
+            }
+        }
+        finish();
+        return std::move(summary_);
+    }
+
+  private:
+    Result<void> find() {
+        const Stopwatch watch;
+        const Progress progress = run_.stage(Stage::Finding, "finding holes", kLoaded, kFound);
+        Result<std::vector<PartLoops>> parts = find_model_loops(model_);
+        if (!parts) {
+            return tl::unexpected(parts.error());
+        }
+        parts_ = std::move(*parts);
+        const int edges = occ::Numbering(model_.whole).edges.Extent();
+        Result<std::vector<PartRequest>> requests =
+            divide_request(settings_.request, parts_, edges);
+        summary_.seconds.detect = watch.seconds();
+        if (requests) {
+            requests_ = std::move(*requests);
+            return {};
+        }
+        // A model that only needed sewing is done; it is written below.
+        const bool done = model_.sewing.changed && requests.error().code == ErrorCode::NothingToDo;
+        return done ? Result<void>() : tl::unexpected(requests.error());
+    }
+
+    Result<void> fill() {
+        const double share =
+            (kFilled - kFound) / static_cast<double>(std::max<std::size_t>(1, requests_.size()));
+        double from = kFound;
+        for (PartRequest& wanted : requests_) {
+            const PartLoops& part = parts_[wanted.part];
+            wanted.request.progress =
+                run_.stage(Stage::Filling, "filling holes", from, from + share);
+            from += share;
+            Result<FillOutcome> outcome =
+                fill_holes(part.part.shape, part.numbering, wanted.request);
+            if (!outcome) {
+                return tl::unexpected(outcome.error());
+            }
+            for (HoleReport& hole : outcome->holes) {
+                for (int& id : hole.ids) {
+                    id += part.ids_before;
+                }
+            }
+            summary_.seconds.fill += outcome->seconds_fill;
+            summary_.seconds.sew += outcome->seconds_sew;
+            model_.file.replace(part.part, outcome->shape, {});
+            filled_.push_back({&part, std::move(*outcome)});
+        }
+        return {};
+    }
+
+    Result<void> write() {
+        const Stopwatch watch;
+        const Progress progress = run_.stage(
+            Stage::Writing, "writing " + settings_.output.filename().string(), kFilled, kWritten);
+        const Result<void> written =
+            io::write_model(model_.file, settings_.output, settings_.format, settings_.mesh);
+        summary_.seconds.write = watch.seconds();
+        return written;
+    }
+
+    Result<void> measure() {
+        const Stopwatch watch;
+        TopoDS_Shape shape = model_.file.shape();
+        if (!is_mesh(settings_.format)) {
+            const Progress reading = run_.stage(
+                Stage::Checking, "reading " + settings_.output.filename().string() + " again",
+                kWritten, kReread);
+            const Result<io::ModelFile> again = io::read_model(settings_.output, reading);
+            if (!again) {
+                return fail(again.error().code == ErrorCode::Cancelled ? ErrorCode::Cancelled
+                                                                       : ErrorCode::Internal,
+                            "{} was written but cannot be read again: {}",
+                            settings_.output.string(), again.error().message);
+            }
+            shape = again->shape();
+            summary_.measured_on_file = true;
+            summary_.seconds.reread = watch.seconds();
+        }
+        const Progress progress = run_.stage(Stage::Checking, "measuring the result", kReread, 1.0);
+        const Result<void> measured =
+            remeasure(shape, filled_, settings_.request.tolerance, progress);
+        summary_.validity = measure_validity(shape);
+        summary_.seconds.check = watch.seconds();
+        return measured;
+    }
+
+    void finish() {
+        for (const PartLoops& part : parts_) {
+            const auto filled =
+                std::find_if(filled_.begin(), filled_.end(),
+                             [&](const FilledPart& other) { return other.before == &part; });
+            if (filled == filled_.end()) {
+                report_skipped(part, settings_.request, summary_.holes);
+                continue;
+            }
+            for (HoleReport& hole : filled->outcome.holes) {
+                summary_.holes.push_back(std::move(hole));
+            }
+        }
+        for (const HoleReport& hole : summary_.holes) {
+            summary_.sides.push_back(sides_of(hole));
+        }
+        summary_.sewing = model_.sewing;
+        summary_.file = std::move(model_.file);
+    }
+
+    [[nodiscard]] int sides_of(const HoleReport& hole) const {
+        std::size_t sides = 0;
+        for (const PartLoops& part : parts_) {
+            for (const BoundaryLoop& loop : part.loops) {
+                const bool own =
+                    std::find(hole.ids.begin(), hole.ids.end(), loop.id) != hole.ids.end();
+                sides += own ? loop.edges.size() : 0;
+            }
+        }
+        return static_cast<int>(sides);
+    }
+
+    Run& run_;
+    const FillSettings& settings_;
+    LoadedModel model_;
+    std::vector<PartLoops> parts_;
+    std::vector<PartRequest> requests_;
+    std::vector<FilledPart> filled_;
+    FillSummary summary_;
+};
+
+}  // namespace
+
+Result<FillSummary> fill_model(Run& run, const FillSettings& settings) {
+    Result<LoadedModel> model = load_model(run, settings.input, settings.load, kLoaded);
+    if (!model) {
+        return tl::unexpected(model.error());
+    }
+    return FillJob(run, settings, std::move(*model)).run();
+}
+
+}  // namespace suture::cli

@@ -1,0 +1,158 @@
+#include "cli/supervise.h"
+
+#include "cli/exit_code.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <csignal>
+#include <fstream>
+#include <stdexcept>
+#include <thread>
+
+namespace suture::cli {
+namespace {
+
+using namespace std::chrono_literals;
+using Clock = std::chrono::steady_clock;
+
+constexpr auto kLong = 60s;
+
+Ending run(const Job& job, std::chrono::milliseconds read_limit = kLong) {
+    return supervise(read_limit, job);
+}
+
+/// Sends this process a signal after a while, as Ctrl-C does; blocked outside of supervise().
+std::jthread signal_after(std::chrono::milliseconds delay, int signal) {
+    return std::jthread([=] {
+        std::this_thread::sleep_for(delay);
+        kill(getpid(), signal);
+    });
+}
+
+/// All threads of the test must have it blocked, or one of them would take the signal.
+class Supervise : public testing::Test {
+  protected:
+    void SetUp() override {
+        sigset_t stop;
+        sigemptyset(&stop);
+        sigaddset(&stop, SIGINT);
+        sigaddset(&stop, SIGTERM);
+        sigaddset(&stop, SIGCHLD);
+        pthread_sigmask(SIG_BLOCK, &stop, nullptr);
+    }
+};
+
+TEST_F(Supervise, PassesTheExitCodeOn) {
+    const Ending ending = run([](const StageLine&, std::stop_token) { return 4; });
+    EXPECT_EQ(ending.kind, Ending::Kind::Exited);
+    EXPECT_EQ(ending.code, 4);
+}
+
+TEST_F(Supervise, TellsWhatACrashedJobWasDoing) {
+    const Ending ending = run([](const StageLine& line, std::stop_token) {
+        line.enter(Stage::Reading, "reading a.step");
+        line.enter(Stage::Filling, "filling hole 3\nof many");
+        raise(SIGSEGV);
+        return 0;
+    });
+    EXPECT_EQ(ending.kind, Ending::Kind::Crashed);
+    EXPECT_EQ(ending.code, SIGSEGV);
+    EXPECT_EQ(ending.stage, Stage::Filling);
+    EXPECT_EQ(ending.what, "filling hole 3 of many");
+}
+
+TEST_F(Supervise, StopsAReadThatTakesTooLong) {
+    const auto start = Clock::now();
+    const Ending ending = run(
+        [](const StageLine& line, std::stop_token) {
+            line.enter(Stage::Reading, "reading");
+            std::this_thread::sleep_for(kLong);
+            return 0;
+        },
+        300ms);
+    EXPECT_EQ(ending.kind, Ending::Kind::ReadTimeout);
+    EXPECT_LT(Clock::now() - start, 2s);
+}
+
+TEST_F(Supervise, LimitsOnlyTheReading) {
+    const Ending ending = run(
+        [](const StageLine& line, std::stop_token) {
+            line.enter(Stage::Reading, "reading");
+            line.enter(Stage::Filling, "filling");
+            std::this_thread::sleep_for(500ms);
+            return 7;
+        },
+        200ms);
+    EXPECT_EQ(ending.kind, Ending::Kind::Exited);
+    EXPECT_EQ(ending.code, 7);
+}
+
+TEST_F(Supervise, GivesTheJobTimeToStopByItself) {
+    const auto signal = signal_after(300ms, SIGINT);
+    const Ending ending = run([](const StageLine&, std::stop_token cancel) {
+        while (!cancel.stop_requested()) {
+            std::this_thread::sleep_for(5ms);
+        }
+        return static_cast<int>(kInterrupted);
+    });
+    EXPECT_EQ(ending.kind, Ending::Kind::Interrupted);
+    EXPECT_EQ(ending.code, SIGINT);
+}
+
+TEST_F(Supervise, KillsAJobThatDoesNotStop) {
+    const auto signal = signal_after(200ms, SIGTERM);
+    const auto start = Clock::now();
+    const Ending ending = run([](const StageLine&, std::stop_token) {
+        std::this_thread::sleep_for(kLong);
+        return 0;
+    });
+    EXPECT_EQ(ending.kind, Ending::Kind::Interrupted);
+    EXPECT_EQ(ending.code, SIGTERM);
+    EXPECT_LT(Clock::now() - start, 2200ms);
+}
+
+TEST_F(Supervise, KeepsTheResultOfAJobThatWasDoneBeforeItNoticed) {
+    const auto signal = signal_after(200ms, SIGINT);
+    const Ending ending = run([](const StageLine&, std::stop_token) {
+        std::this_thread::sleep_for(600ms);
+        return 0;
+    });
+    EXPECT_EQ(ending.kind, Ending::Kind::Exited);
+    EXPECT_EQ(ending.code, 0);
+}
+
+TEST_F(Supervise, LeavesNoGrandchildBehind) {
+    const std::string file = testing::TempDir() + "/grandchild";
+    (void)run([&](const StageLine&, std::stop_token) {
+        const pid_t grandchild = fork();
+        if (grandchild == 0) {
+            std::this_thread::sleep_for(kLong);
+            _exit(0);
+        }
+        std::ofstream(file) << grandchild;
+        return 0;
+    });
+    pid_t grandchild = 0;
+    std::ifstream(file) >> grandchild;
+    ASSERT_GT(grandchild, 0);
+    // Killed, and taken by whoever takes orphans: it may be a zombie for a moment.
+    bool gone = false;
+    for (int i = 0; i < 200 && !gone; ++i) {
+        std::ifstream stat("/proc/" + std::to_string(grandchild) + "/stat");
+        std::string text;
+        gone = !std::getline(stat, text) || text.find(") Z ") != std::string::npos;
+        std::this_thread::sleep_for(10ms);
+    }
+    EXPECT_TRUE(gone);
+}
+
+TEST_F(Supervise, CostsLittle) {
+    const auto start = Clock::now();
+    (void)run([](const StageLine&, std::stop_token) { return 0; });
+    EXPECT_LT(Clock::now() - start, 100ms);
+}
+
+}  // namespace
+}  // namespace suture::cli

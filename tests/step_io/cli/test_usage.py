@@ -1,0 +1,146 @@
+"""What the command line takes, and what it says of what it does not take."""
+
+import time
+
+from program import DONE, NOTHING, USAGE, Case, example, run
+
+COMMANDS = ("inspect", "fill", "check", "convert", "methods", "demo")
+
+
+class Usage(Case):
+    def test_version_answers_within_50_ms(self):
+        times = []
+        for _ in range(15):
+            start = time.perf_counter()
+            finished = run("--version")
+            times.append(time.perf_counter() - start)
+            self.assertRegex(finished.out, r"^suture \d+\.\d+\.\d+\n$")
+        # The best of many: the machine may be busy with other tests.
+        self.assertLess(min(times), 0.05)
+
+    def test_help_names_every_command_and_exit_code(self):
+        text = self.expect(run("--help"), DONE).out
+        for word in (*COMMANDS, "130/143", "unreadable input", "First steps"):
+            self.assertIn(word, text)
+
+    def test_help_of_every_command_has_examples(self):
+        for command in COMMANDS:
+            text = self.expect(run(command, "--help"), DONE).out
+            self.assertIn("Examples:", text)
+            self.assertIn(f"suture {command}", text)
+            self.assertIn("--json", text)
+
+    def test_no_command_is_wrong_usage(self):
+        self.expect_refused(run(), USAGE, "--help")
+
+    def test_unknown_flag_is_wrong_usage(self):
+        self.expect_refused(run("inspect", example("box_without_lid"), "--holes-please"), USAGE)
+
+    def test_missing_output_is_wrong_usage(self):
+        self.expect_refused(run("fill", example("box_without_lid")), USAGE, "--output")
+
+    def test_methods_lists_all_with_source(self):
+        methods = {m["id"]: m for m in self.expect(run("methods", "--json"), DONE).json["methods"]}
+        self.assertLessEqual({"auto", "extend", "plane", "occt"}, set(methods))
+        for method in methods.values():
+            for key in ("title", "source", "sides", "highest_continuity"):
+                self.assertTrue(method[key], method)
+
+    def test_methods_table_is_for_readers(self):
+        text = self.expect(run("methods"), DONE).out
+        self.assertIn("extend", text)
+        self.assertNotIn("{", text)
+
+
+class WrongValues(Case):
+    def refuse(self, words, *said, command="fill"):
+        output = ["-o", self.folder / "out.step"] if command == "fill" else []
+        finished = run(command, example("box_without_lid"), *output, *words)
+        self.expect_refused(finished, USAGE, *said)
+        self.expect_files()
+
+    def test_tolerances_must_be_positive_numbers(self):
+        for flag in ("--tolerance", "--angle", "--curvature", "--sew-tolerance", "--timeout"):
+            for value in ("0", "-1", "nan", "inf"):
+                self.refuse([f"{flag}={value}"], flag, "positive")
+
+    def test_tolerance_must_be_a_number(self):
+        self.refuse(["--tolerance", "tight"], "--tolerance")
+
+    def test_limits_of_check_must_be_positive_numbers(self):
+        for flag in ("--g0", "--g1", "--g2", "--sharp"):
+            for value in ("0", "-0.5", "nan"):
+                self.refuse([f"{flag}={value}"], flag, "positive", command="check")
+
+    def test_read_timeout_must_be_positive(self):
+        for value in ("0", "-3", "nan"):
+            self.refuse([f"--read-timeout={value}"], "--read-timeout", command="inspect")
+
+    def test_jobs_must_be_positive(self):
+        self.refuse(["--jobs=0"], "--jobs")
+
+    def test_unknown_method_suggests_the_nearest(self):
+        self.refuse(["--method", "extned"], "did you mean 'extend'", "plane", "occt")
+
+    def test_unknown_method_far_from_all_lists_them(self):
+        finished = run("fill", example("box_without_lid"), "-o", self.folder / "o.step", "--method=zzzzzz")
+        self.expect_refused(finished, USAGE, "zzzzzz", "extend", "plane", "occt")
+        self.assertNotIn("did you mean", finished.err)
+
+    def test_unknown_continuity(self):
+        self.refuse(["--continuity", "G3"], "G3", "G0, G1, G2")
+
+    def test_edge_continuity_needs_a_continuity(self):
+        self.refuse(["--edge-continuity", "12"], "12=G2")
+
+    def test_hole_that_does_not_exist(self):
+        self.refuse(["--hole", "99"], "no hole 99", "suture inspect")
+
+    def test_hole_that_is_no_number(self):
+        for word in ("0", "1-2", "3++4"):
+            self.refuse([f"--hole={word}"], "hole")
+
+    def test_edge_that_does_not_exist(self):
+        self.refuse(["--edges", "999"], "no edge 999", "12 edges")
+
+    def test_edge_that_bounds_no_hole(self):
+        shared = {e["edge"] for e in run("check", example("box_without_lid"), "--json").json["edges"]}
+        self.refuse(["--edges", min(shared)], "bounds no hole")
+
+    def test_hole_and_edges_together(self):
+        self.refuse(["--hole", "1", "--edges", "1"], "not both")
+
+    def test_unknown_profile(self):
+        self.refuse(["--profile", "catya"], "catya", "catia", command="check")
+
+    def test_report_of_unknown_type(self):
+        self.refuse(["--report", self.folder / "r.pdf"], ".html")
+
+    def test_report_over_the_output(self):
+        output = self.folder / "out.json"
+        finished = run("fill", example("box_without_lid"), "-o", output, "--report", output)
+        self.expect(finished, USAGE)
+        self.expect_files()
+
+    def test_wrong_usage_as_json_is_a_document_too(self):
+        finished = run(
+            "fill", example("box_without_lid"), "-o", self.folder / "o.step", "--tolerance=0", "--json"
+        )
+        self.expect(finished, USAGE)
+        self.assertEqual(finished.json["error"]["code"], "usage")
+        self.assertEqual(finished.json["exit_code"], USAGE)
+
+
+class Lists(Case):
+    def test_hole_list_may_stand_before_the_file(self):
+        output = self.folder / "out.step"
+        finished = run("fill", "--hole", "1", "2", example("pipe_elbow"), "-o", output, "--json")
+        self.expect(finished, DONE)
+        self.assertEqual([h["status"] for h in finished.json["holes"]], ["filled", "filled"])
+
+    def test_closed_model_has_nothing_to_do(self):
+        closed = self.folder / "closed.step"
+        self.expect(run("fill", example("box_without_lid"), "-o", closed), DONE)
+        output = self.folder / "again.step"
+        self.expect_refused(run("fill", closed, "-o", output), NOTHING, "no hole")
+        self.expect_files("closed.step")
