@@ -1,10 +1,12 @@
 #pragma once
 
+#include <Eigen/Core>
+
 #include <TopoDS_Edge.hxx>
 #include <TopoDS_Face.hxx>
 #include <TopoDS_Vertex.hxx>
 
-#include <Eigen/Core>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -12,11 +14,11 @@ namespace suture {
 
 /// A free edge of a shell as the loop walks it, with the one face that uses it.
 struct BoundaryEdge {
-    TopoDS_Edge edge;       ///< oriented so that walking it has the hole on the left, seen against
-                            ///< the outward normal of `face`: opposite to its use in the face
-    TopoDS_Face face;       ///< oriented as in its shell
-    int edge_number = 0;    ///< EdgeN of the model, 1-based
-    int face_number = 0;    ///< FaceN of the model, 1-based
+    TopoDS_Edge edge;     ///< oriented so that walking it has the hole on the left, seen against
+                          ///< the outward normal of `face`: opposite to its use in the face
+    TopoDS_Face face;     ///< oriented as in its shell
+    int edge_number = 0;  ///< EdgeN of the model, 1-based
+    int face_number = 0;  ///< FaceN of the model, 1-based
 };
 
 /// What a boundary loop is.
@@ -32,16 +34,16 @@ enum class LoopKind {
 
 /// An ordered, oriented run of free edges that closes.
 struct BoundaryLoop {
-    int id = 0;               ///< 1-based, in the order of the smallest edge number
+    int id = 0;  ///< 1-based, in the order of the smallest edge number
     LoopKind kind = LoopKind::Ambiguous;
     std::vector<BoundaryEdge> edges;
     std::vector<int> islands_with;  ///< ids of the loops that bound the same missing face
-    int shell_faces = 0;      ///< number of faces of the shell that it bounds
-    double length = 0.0;      ///< model units
-    double diameter = 0.0;    ///< diagonal of the bounding box, model units
-    bool planar = false;      ///< all points within 1e-6 of the diameter of one plane
-    double gap = 0.0;         ///< for seams: the largest distance to the other side
-    std::string reason;       ///< one sentence: why it has this kind
+    int shell_faces = 0;            ///< number of faces of the shell that it bounds
+    double length = 0.0;            ///< model units
+    double diameter = 0.0;          ///< diagonal of the bounding box, model units
+    bool planar = false;            ///< all points within 1e-6 of the diameter of one plane
+    double gap = 0.0;               ///< for seams: the largest distance to the other side
+    std::string reason;             ///< one sentence: why it has this kind
 };
 
 }  // namespace suture

@@ -1,12 +1,12 @@
 #pragma once
 
-#include <TopoDS_Shape.hxx>
-
-#include <vector>
-
 #include "suture/base/result.h"
 #include "suture/detect/boundary_loop.h"
 #include "suture/occ/topology.h"
+
+#include <TopoDS_Shape.hxx>
+
+#include <vector>
 
 namespace suture {
 

@@ -1,21 +1,21 @@
 #pragma once
 
+#include "suture/base/result.h"
+
 #include <TopTools_DataMapOfShapeShape.hxx>
 #include <TopoDS_Shape.hxx>
-
-#include "suture/base/result.h"
 
 namespace suture {
 
 /// What sewing made of loose faces.
 struct SewnShape {
     TopoDS_Shape shape;
-    bool changed = false;      ///< false: there was nothing to sew and `shape` is the input
-    double tolerance = 0.0;    ///< at which it was sewn, model units
-    int loose_faces = 0;       ///< faces that lay alone before
+    bool changed = false;    ///< false: there was nothing to sew and `shape` is the input
+    double tolerance = 0.0;  ///< at which it was sewn, model units
+    int loose_faces = 0;     ///< faces that lay alone before
     int free_edges_before = 0;
     int free_edges_after = 0;
-    double largest_gap = 0.0;  ///< the widest gap that was closed
+    double largest_gap = 0.0;               ///< the widest gap that was closed
     TopTools_DataMapOfShapeShape replaced;  ///< input face -> face of `shape`, where they differ
 };
 
