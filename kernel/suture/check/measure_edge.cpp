@@ -6,7 +6,9 @@
 #include <fmt/ranges.h>
 
 #include <BRepAdaptor_Curve.hxx>
+#include <BRep_Tool.hxx>
 #include <GCPnts_AbscissaPoint.hxx>
+#include <GeomAdaptor_Curve.hxx>
 #include <TopAbs.hxx>
 
 #include <algorithm>
@@ -22,7 +24,7 @@ constexpr int kSamplesStraight = 3;
 // Conics on elementary surfaces have no more than a few maxima.
 constexpr int kSamplesElementary = 17;
 // Otherwise: four points for each polynomial piece that the edge or its surfaces have along it.
-constexpr int kSamplesLeast = 25;
+constexpr int kSamplesLeast = 33;
 constexpr int kSamplesPerPiece = 4;
 constexpr int kSamplesMost = 513;
 
@@ -33,7 +35,7 @@ constexpr double kOffset = 0.38;
 // Local maxima that reach this part of the largest sample are refined, at most so many, until the
 // value settles to kSettled, in at most kRefineSteps steps of the golden section.
 constexpr double kWorthRefining = 0.5;
-constexpr int kRefineMost = 3;
+constexpr int kRefineMost = 5;
 constexpr double kSettled = 1e-3;
 constexpr int kRefineSteps = 24;
 
@@ -65,6 +67,20 @@ TopAbs_Orientation direction(const TopoDS_Face& face, const EdgeUse& use) {
     return TopAbs::Compose(face.Orientation(), use.edge.Orientation());
 }
 
+/// Not of the edge's adaptor: GCPnts takes a line's length from its parameters, which is wrong
+/// under a location that scales.
+double length_of(const TopoDS_Edge& edge, const BRepAdaptor_Curve& adaptor) {
+    TopLoc_Location location;
+    double first = 0.0;
+    double last = 0.0;
+    const auto curve = BRep_Tool::Curve(edge, location, first, last);
+    if (curve.IsNull()) {
+        return GCPnts_AbscissaPoint::Length(adaptor);
+    }
+    return std::abs(location.Transformation().ScaleFactor()) *
+           GCPnts_AbscissaPoint::Length(GeomAdaptor_Curve(curve, first, last));
+}
+
 Eigen::Vector3d to_eigen(const gp_Pnt& p) {
     return {p.X(), p.Y(), p.Z()};
 }
@@ -75,7 +91,7 @@ class EdgeMeter {
               const std::array<EdgeUse, 2>& uses)
         : curve_(edge),
           range_{curve_.FirstParameter(), curve_.LastParameter()},
-          length_(GCPnts_AbscissaPoint::Length(curve_)),
+          length_(length_of(edge, curve_)),
           sides_{FaceSide(faces[0], uses[0].edge, range_, length_),
                  FaceSide(faces[1], uses[1].edge, range_, length_)},
           same_direction_(direction(faces[0], uses[0]) == direction(faces[1], uses[1])) {}
@@ -191,12 +207,12 @@ void EdgeMeter::golden(double low, double high, double Sample::*value, double be
     double right = low + ratio * (high - low);
     double at_left = measure(left).*value;
     double at_right = measure(right).*value;
-    // Settled: three narrowings in a row, that is a bracket of a quarter, without news.
-    int quiet = 0;
-    for (int step = 0; step < kRefineSteps && quiet < 3; ++step) {
-        const double now = std::max(at_left, at_right);
-        quiet = now > best * (1.0 + kSettled) ? 0 : quiet + 1;
-        best = std::max(best, now);
+    for (int step = 0; step < kRefineSteps; ++step) {
+        best = std::max({best, at_left, at_right});
+        // The whole bracket is as high as its highest point, smooth peak or kink.
+        if (std::min(at_left, at_right) >= best * (1.0 - kSettled)) {
+            return;
+        }
         if (at_left >= at_right) {
             high = right;
             right = left;
