@@ -1,5 +1,6 @@
 #include "suture/fill/extend.h"
 #include "suture/fill/fill.h"
+#include "suture/fill/mvs.h"
 #include "suture/fill/plane.h"
 
 #include <array>
@@ -12,6 +13,9 @@ std::span<const FillMethod> fill_methods() {
                    Continuity::G2, &fill_extend},
         FillMethod{"plane", "Closes a planar loop by a plane", "exact", "any", Continuity::G0,
                    &fill_plane},
+        FillMethod{"mvs", "The surface whose curvature varies least, as one biquintic face",
+                   "Moreton & Sequin, Functional optimization for fair surface design, 1992", "any",
+                   Continuity::G2, &fill_mvs},
     };
     return kMethods;
 }

@@ -1,0 +1,80 @@
+#include "suture/fill/mvs.h"
+
+#include "suture/fill/mvs/fairing.h"
+#include "suture/fill/mvs/layout.h"
+
+namespace suture {
+namespace {
+
+// The surface's least area element, against the mean: below, it folds or nearly so.
+constexpr double kLeastRegularity = 1e-3;
+// A surface this far from a neighbour's tangent plane has turned over there.
+constexpr double kMostAngle = 0.5 * kPi;
+
+Patch patch_of(const mvs::Fairing& fairing, const mvs::Layout& layout) {
+    const mvs::Net& net = fairing.net;
+    const double length = fairing.scale.length;
+    SplineSurface surface;
+    surface.degree_u = surface.degree_v = mvs::kDegree;
+    surface.knots_u = net.u.knots;
+    surface.knots_v = net.v.knots;
+    // The domain in model units as well: its curves are as long as the edges.
+    for (double& knot : surface.knots_u) {
+        knot *= length;
+    }
+    for (double& knot : surface.knots_v) {
+        knot *= length;
+    }
+    surface.poles = (net.poles * length).colwise() + fairing.scale.centre;
+    Patch patch;
+    patch.surface = std::move(surface);
+    patch.trims.emplace_back();
+    for (const mvs::DomainCurve& curve : layout.curves) {
+        patch.trims.front().push_back([curve](double s) { return curve.at(s); });
+    }
+    return patch;
+}
+
+}  // namespace
+
+Result<FillResult> fill_mvs(const Hole& hole, const FillOptions& options) {
+    if (hole.loops.size() != 1) {
+        return fail(ErrorCode::Refused, "{} loops: mvs fills holes without islands",
+                    hole.loops.size());
+    }
+    const RibbonLoop& loop = hole.loops.front();
+    const Result<mvs::Layout> layout = mvs::lay_out(loop, hole.diameter);
+    if (!layout) {
+        return tl::unexpected(layout.error());
+    }
+    if (!layout->simple) {
+        return fail(ErrorCode::Refused,
+                    "the boundary from {} on, laid out in the plane, crosses itself (it turns by "
+                    "{:.1f} deg on its neighbours)",
+                    name_of(loop.ribbons.front()), degrees(layout->turning));
+    }
+    const Result<mvs::Fairing> fairing = mvs::fair(loop, *layout, hole.diameter, options);
+    if (!fairing) {
+        return tl::unexpected(fairing.error());
+    }
+    if (fairing->regularity < kLeastRegularity) {
+        return fail(ErrorCode::Refused,
+                    "the surface folds: its area element falls to {:.2g} of the mean (limit {})",
+                    fairing->regularity, kLeastRegularity);
+    }
+    if (fairing->worst.angle > kMostAngle) {
+        return fail(ErrorCode::Refused,
+                    "the surface meets a neighbour at {:.1f} deg (limit {:.0f})",
+                    degrees(fairing->worst.angle), degrees(kMostAngle));
+    }
+    FillResult result;
+    result.patches.push_back(patch_of(*fairing, *layout));
+    result.notes.push_back(
+        fmt::format("{} x {} poles after {} steps; at ribbon samples between the fitted ones: gap "
+                    "{:.2g}, angle {:.2g} deg",
+                    fairing->net.u.count(), fairing->net.v.count(), fairing->steps,
+                    fairing->worst.gap * fairing->scale.length, degrees(fairing->worst.angle)));
+    return result;
+}
+
+}  // namespace suture

@@ -1,0 +1,85 @@
+#include "suture/fill/mvs/block_cholesky.h"
+
+#include "suture/base/contract.h"
+
+#include <Eigen/Cholesky>
+
+#include <algorithm>
+
+namespace suture::mvs {
+
+BlockBand::BlockBand(int blocks, int size, int width)
+    : columns_(static_cast<std::size_t>(blocks)), size_(size), width_(width) {
+    for (int j = 0; j < blocks; ++j) {
+        column(j) = Eigen::MatrixXd::Zero(reach(j) * size, size);
+    }
+}
+
+int BlockBand::reach(int j) const {
+    return std::min(width_, blocks() - 1 - j) + 1;
+}
+
+void BlockBand::add(const BlockBand& other, double factor) {
+    SUTURE_EXPECTS(other.rows() == rows() && other.size_ == size_ && other.width_ == width_);
+    for (int j = 0; j < blocks(); ++j) {
+        column(j) += factor * other.column(j);
+    }
+}
+
+Eigen::VectorXd BlockBand::times(const Eigen::VectorXd& x) const {
+    Eigen::VectorXd y = Eigen::VectorXd::Zero(rows());
+    for (int j = 0; j < blocks(); ++j) {
+        const Eigen::MatrixXd& A = column(j);
+        const int below = static_cast<int>(A.rows()) - size_;
+        const auto own = x.segment(j * size_, size_);
+        y.segment(j * size_, size_) +=
+            A.topRows(size_).selfadjointView<Eigen::Lower>() * own +
+            A.bottomRows(below).transpose() * x.segment((j + 1) * size_, below);
+        y.segment((j + 1) * size_, below) += A.bottomRows(below) * own;
+    }
+    return y;
+}
+
+bool BlockBand::factorise() {
+    for (int j = 0; j < blocks(); ++j) {
+        Eigen::MatrixXd& A = column(j);
+        Eigen::Ref<Eigen::MatrixXd> diagonal = A.topRows(size_);
+        const Eigen::LLT<Eigen::Ref<Eigen::MatrixXd>> llt(diagonal);
+        if (llt.info() != Eigen::Success) {
+            return false;
+        }
+        const int below = reach(j) - 1;
+        if (below == 0) {
+            continue;
+        }
+        auto panel = A.bottomRows(below * size_);
+        diagonal.triangularView<Eigen::Lower>().transpose().solveInPlace<Eigen::OnTheRight>(panel);
+        for (int k = 1; k <= below; ++k) {
+            const auto rows = (below - k + 1) * size_;
+            const auto factor = A.middleRows(k * size_, size_);
+            column(j + k).topRows(rows).noalias() -= A.bottomRows(rows) * factor.transpose();
+        }
+    }
+    return true;
+}
+
+Eigen::VectorXd BlockBand::solve(const Eigen::VectorXd& b) const {
+    Eigen::VectorXd x = b;
+    for (int j = 0; j < blocks(); ++j) {
+        const Eigen::MatrixXd& L = column(j);
+        const auto below = L.rows() - size_;
+        auto own = x.segment(j * size_, size_);
+        L.topRows(size_).triangularView<Eigen::Lower>().solveInPlace(own);
+        x.segment((j + 1) * size_, below).noalias() -= L.bottomRows(below) * own;
+    }
+    for (int j = blocks() - 1; j >= 0; --j) {
+        const Eigen::MatrixXd& L = column(j);
+        const auto below = L.rows() - size_;
+        auto own = x.segment(j * size_, size_);
+        own.noalias() -= L.bottomRows(below).transpose() * x.segment((j + 1) * size_, below);
+        L.topRows(size_).triangularView<Eigen::Lower>().transpose().solveInPlace(own);
+    }
+    return x;
+}
+
+}  // namespace suture::mvs

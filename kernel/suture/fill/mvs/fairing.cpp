@@ -1,0 +1,205 @@
+#include "suture/fill/mvs/fairing.h"
+
+#include "suture/fill/mvs/solver.h"
+#include "suture/fill/mvs/system.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace suture::mvs {
+namespace {
+
+// The first net: spans along the longer side of the box, and at least across it.
+constexpr int kFirstSpans = 6;
+constexpr int kLeastSpans = 4;
+// Room around the layout: trimming curves on the border of the box would not survive rounding.
+constexpr double kMargin = 0.05;
+// Poles in one direction at most.
+constexpr int kMostPoles = 36;
+constexpr int kLevels = 6;
+// Samples a span, and on a side at least; as many again, and more, to measure between them.
+constexpr double kSamplesPerSpan = 5.0;
+constexpr int kLeastSamples = 8;
+constexpr double kMeasuredPerSpan = 8.0;
+constexpr int kLeastMeasured = 20;
+
+// The goals at the boundary, in the solver's unit: a part of what is asked for, since the file's
+// own curves add to it, but never finer than is useful.
+constexpr double kGapPart = 0.2;
+constexpr double kLeastGap = 1e-6;
+constexpr double kMostGap = 1e-5;
+constexpr double kAnglePart = 0.1;
+constexpr double kCurvaturePart = 0.25;
+// A level that brings the worst sample less than this factor nearer was the last one.
+constexpr double kProgress = 0.7;
+// Spans are halved where a sample misses its goal, and by this part of the worst miss.
+constexpr double kMarked = 0.05;
+
+// Rough: the flat energy holds the parametrisation, and three or four steps reach the basin of the
+// solution from anywhere. Exact: the flat energy is but a damping. Fine: the boundary decides.
+constexpr Weights kRough = {1e-6, 1.0, 1e-8, 0.03, 1e-3};
+constexpr Weights kExact = {1e-8, 1e-6, 1e-8, 0.03, 1e-3};
+constexpr Weights kFine = {1e-10, 1e-6, 1e-8, 0.03, 1e-3};
+constexpr SolverOptions kRoughSteps = {5, 3e-3, 1e-2};
+constexpr SolverOptions kExactSteps = {5, 1e-5, 1e-1};
+constexpr SolverOptions kFineSteps = {3, 3e-6, 1e-1};
+
+struct Goal {
+    double gap, angle, curvature;
+    [[nodiscard]] double missed_by(const Miss& miss) const {
+        return std::max({miss.gap / gap, miss.angle / angle, miss.curvature / curvature});
+    }
+};
+
+Scale scale_of(const RibbonLoop& loop, double diameter) {
+    Scale scale;
+    scale.length = diameter;
+    for (const Ribbon& ribbon : loop.ribbons) {
+        scale.centre += ribbon.at(0.0).point + ribbon.at(0.5).point;
+    }
+    scale.centre /= 2.0 * static_cast<double>(loop.ribbons.size());
+    return scale;
+}
+
+double span_size(const Net& net) {
+    double size = 1.0;
+    for (const Axis* axis : {&net.u, &net.v}) {
+        for (int k = 0; k < axis->spans(); ++k) {
+            size = std::min(size, axis->upper(k) - axis->lower(k));
+        }
+    }
+    return size;
+}
+
+Net first_net(const Layout& layout, const Scale& scale) {
+    const Eigen::Vector2d size = (layout.upper - layout.lower) / scale.length;
+    const double longer = size.maxCoeff();
+    const Eigen::Vector2d margin = Eigen::Vector2d::Constant(kMargin * longer);
+    const Eigen::Vector2d lower = layout.lower / scale.length - margin;
+    const Eigen::Vector2d upper = layout.upper / scale.length + margin;
+    const auto axis = [&](int c) {
+        const int spans = static_cast<int>(std::ceil(kFirstSpans * size[c] / longer));
+        return uniform_axis(lower[c], upper[c], std::max(kLeastSpans, spans));
+    };
+    return {axis(0), axis(1), {}};
+}
+
+class Levels {
+  public:
+    Levels(const RibbonLoop& loop, const Layout& layout, const Scale& scale,
+           const FillOptions& options)
+        : loop_(loop), layout_(layout), scale_(scale), options_(options) {
+        const Tolerance& t = options.tolerance;
+        goal_.gap = std::clamp(kGapPart * t.linear / scale.length, kLeastGap, kMostGap);
+        goal_.angle = kAnglePart * t.angular;
+        goal_.curvature = kCurvaturePart * t.curvature;
+        net_ = first_net(layout, scale);
+    }
+
+    [[nodiscard]] Result<Fairing> run();
+
+  private:
+    void measure();
+    [[nodiscard]] bool refine();
+    [[nodiscard]] System system(const Weights& weights) const;
+    [[nodiscard]] Eigen::Matrix2Xd polygon() const;
+    void solve(const System& system, const SolverOptions& steps) {
+        steps_ += minimise(system, net_, steps, options_.progress).steps;
+    }
+
+    const RibbonLoop& loop_;
+    const Layout& layout_;
+    Scale scale_;
+    const FillOptions& options_;
+    Goal goal_{};
+    Net net_;
+    std::vector<BoundarySample> measured_;
+    std::vector<Miss> misses_;
+    double missed_by_ = 0.0;
+    int steps_ = 0;
+};
+
+Eigen::Matrix2Xd Levels::polygon() const {
+    Eigen::Matrix2Xd points(2, static_cast<Eigen::Index>(measured_.size()));
+    for (std::size_t k = 0; k < measured_.size(); ++k) {
+        points.col(static_cast<Eigen::Index>(k)) = measured_[k].uv;
+    }
+    return points;
+}
+
+System Levels::system(const Weights& weights) const {
+    const double spacing = span_size(net_) / kSamplesPerSpan;
+    return System(net_.u, net_.v, polygon(),
+                  sample_boundary(loop_, layout_, scale_, spacing, kLeastSamples, true), weights);
+}
+
+void Levels::measure() {
+    misses_.clear();
+    missed_by_ = 0.0;
+    for (const BoundarySample& sample : measured_) {
+        misses_.push_back(miss(net_, sample));
+        missed_by_ = std::max(missed_by_, goal_.missed_by(misses_.back()));
+    }
+}
+
+// Halves the spans through which the boundary is missed. False where that takes too many poles.
+bool Levels::refine() {
+    const double limit = std::max(1.0, kMarked * missed_by_);
+    std::vector<bool> u(static_cast<std::size_t>(net_.u.spans()), false);
+    std::vector<bool> v(static_cast<std::size_t>(net_.v.spans()), false);
+    for (std::size_t k = 0; k < measured_.size(); ++k) {
+        if (goal_.missed_by(misses_[k]) > limit) {
+            u[static_cast<std::size_t>(net_.u.span_of(measured_[k].uv.x()))] = true;
+            v[static_cast<std::size_t>(net_.v.span_of(measured_[k].uv.y()))] = true;
+        }
+    }
+    const Axis finer_u = halved(net_.u, u);
+    const Axis finer_v = halved(net_.v, v);
+    if (std::max(finer_u.count(), finer_v.count()) > kMostPoles) {
+        return false;
+    }
+    net_ = mvs::refine(net_, finer_u, finer_v);
+    return true;
+}
+
+Result<Fairing> Levels::run() {
+    const auto sample_densely = [&] {
+        measured_ = sample_boundary(loop_, layout_, scale_, span_size(net_) / kMeasuredPerSpan,
+                                    kLeastMeasured, false);
+    };
+    sample_densely();
+    System first = system(kRough);
+    net_ = first.start();
+    solve(first, kRoughSteps);
+    first.set_weights(kExact);
+    solve(first, kExactSteps);
+    measure();
+    double before = missed_by_;
+    for (int level = 1; level < kLevels && missed_by_ > 1.0; ++level) {
+        options_.progress(static_cast<double>(level) / kLevels, "fairing");
+        if (!refine()) {
+            break;
+        }
+        sample_densely();
+        solve(system(kFine), kFineSteps);
+        measure();
+        if (missed_by_ > kProgress * before) {
+            break;
+        }
+        before = missed_by_;
+    }
+    if (options_.progress.cancelled()) {
+        return fail(ErrorCode::Cancelled, "cancelled after {} steps", steps_);
+    }
+    Fairing result{net_, scale_, worst_miss(net_, measured_), regularity(net_, polygon()), steps_};
+    return result;
+}
+
+}  // namespace
+
+Result<Fairing> fair(const RibbonLoop& loop, const Layout& layout, double diameter,
+                     const FillOptions& options) {
+    return Levels(loop, layout, scale_of(loop, diameter), options).run();
+}
+
+}  // namespace suture::mvs

@@ -1,0 +1,24 @@
+#pragma once
+
+#include "suture/fill/mvs/net.h"
+#include "suture/fill/mvs/samples.h"
+
+#include <vector>
+
+namespace suture::mvs {
+
+/// How far a surface misses one boundary sample, in the solver's unit and radians.
+struct Miss {
+    double gap = 0.0;
+    double angle = 0.0;      ///< between the normals, oriented; 0 where no tangency is wanted
+    double curvature = 0.0;  ///< |k1 - k2| across the boundary; 0 where it is not wanted
+};
+[[nodiscard]] Miss miss(const Net& net, const BoundarySample& sample);
+
+/// The largest of each over all samples.
+[[nodiscard]] Miss worst_miss(const Net& net, const std::vector<BoundarySample>& samples);
+
+/// The least area element |X_u x X_v| over the domain inside a closed polygon, against their mean.
+[[nodiscard]] double regularity(const Net& net, const Eigen::Matrix2Xd& polygon);
+
+}  // namespace suture::mvs

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include <vector>
+
+namespace suture::mvs {
+
+/// Where the horizontal line at height v crosses a closed polygon (2 x count), from left to right:
+/// a point of the line lies inside when an odd number of them lies to its left.
+[[nodiscard]] std::vector<double> crossings(const Eigen::Matrix2Xd& polygon, double v);
+
+/// Whether a closed polygon crosses itself.
+[[nodiscard]] bool crosses_itself(const Eigen::Matrix2Xd& polygon);
+
+}  // namespace suture::mvs

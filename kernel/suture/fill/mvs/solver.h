@@ -1,0 +1,26 @@
+#pragma once
+
+#include "suture/base/progress.h"
+#include "suture/fill/mvs/system.h"
+
+namespace suture::mvs {
+
+struct SolverOptions {
+    int steps = 6;          ///< at most
+    double settled = 1e-5;  ///< a step that moves the surface by less than this is the last one
+    double damping = 1e-2;  ///< of the first step, against the energy's weight
+};
+
+struct Convergence {
+    int steps = 0;
+    bool settled = false;
+    double last_move = 0.0;  ///< of the surface along its normal, in the solver's unit
+};
+
+/// Gauss and Newton's method with Levenberg's damping.
+///
+/// Source   Nocedal & Wright, Numerical optimization, ch. 10.
+[[nodiscard]] Convergence minimise(const System& system, Net& net, const SolverOptions& options,
+                                   const Progress& progress);
+
+}  // namespace suture::mvs

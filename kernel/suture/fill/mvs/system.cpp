@@ -1,0 +1,321 @@
+#include "suture/fill/mvs/system.h"
+
+#include "suture/base/contract.h"
+#include "suture/fill/mvs/polygon.h"
+#include "suture/fill/mvs/variation.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+
+namespace suture::mvs {
+namespace {
+
+// Gauss points a span and direction. The basis is C4, so that neighbouring spans share most of
+// their freedom and few points a span determine it: see docs/methods/mvs.md, "quadrature".
+constexpr int kQuadrature = 3;
+// The start: how much the speed across the boundary counts against position, and the flat energy.
+constexpr double kStartAcross = 1e-2;
+constexpr double kStartEnergy = 1e-6;
+
+}  // namespace
+
+System::System(Axis u, Axis v, const Eigen::Matrix2Xd& polygon, std::vector<BoundarySample> samples,
+               const Weights& weights)
+    : u_(std::move(u)),
+      v_(std::move(v)),
+      samples_(std::move(samples)),
+      weights_(weights),
+      flat_(flat({0.0, 0.0, weights.parametrisation, weights.extension})),
+      damping_(flat({0.0, 0.0, 1.0, 0.0})) {
+    place_quadrature(polygon);
+    place_samples();
+}
+
+void System::place_quadrature(const Eigen::Matrix2Xd& polygon) {
+    const GaussRule& rule = gauss_rule(kQuadrature);
+    const auto rows = [&](const Axis& axis) {
+        std::vector<BasisRow> result;
+        for (int k = 0; k < axis.spans(); ++k) {
+            for (const double node : rule.nodes) {
+                const double t = axis.lower(k) + node * (axis.upper(k) - axis.lower(k));
+                result.push_back(basis_row(axis, t));
+            }
+        }
+        return result;
+    };
+    u_rows_ = rows(u_);
+    v_rows_ = rows(v_);
+    for (int j = 0; j < v_.spans(); ++j) {
+        for (int i = 0; i < u_.spans(); ++i) {
+            spans_.push_back({i, j, {}, {}});
+        }
+    }
+    for (int j = 0; j < v_.spans(); ++j) {
+        const double height = v_.upper(j) - v_.lower(j);
+        for (std::size_t q = 0; q < rule.nodes.size(); ++q) {
+            const std::vector<double> cut =
+                crossings(polygon, v_.lower(j) + rule.nodes[q] * height);
+            for (int i = 0; i < u_.spans(); ++i) {
+                Span& span = spans_[static_cast<std::size_t>(i + u_.spans() * j)];
+                const double width = u_.upper(i) - u_.lower(i);
+                for (std::size_t p = 0; p < rule.nodes.size(); ++p) {
+                    const double t = u_.lower(i) + rule.nodes[p] * width;
+                    const auto before = std::lower_bound(cut.begin(), cut.end(), t) - cut.begin();
+                    if (before % 2 == 1) {
+                        span.points.push_back({static_cast<std::size_t>(i) * rule.nodes.size() + p,
+                                               static_cast<std::size_t>(j) * rule.nodes.size() + q,
+                                               rule.weights[p] * width * rule.weights[q] * height});
+                        ++point_count_;
+                    }
+                }
+            }
+        }
+    }
+}
+
+void System::place_samples() {
+    for (std::size_t k = 0; k < samples_.size(); ++k) {
+        const BoundarySample& sample = samples_[k];
+        const BasisRow u = basis_row(u_, sample.uv.x());
+        const BasisRow v = basis_row(v_, sample.uv.y());
+        const LocalBasis basis = local_basis(u, v);
+        const Eigen::Vector2d& a = sample.across;
+        sample_bases_.push_back(
+            {local_values(u, v), basis.leftCols<2>() * a,
+             basis.middleCols<3>(2) *
+                 Eigen::Vector3d(a.x() * a.x(), 2.0 * a.x() * a.y(), a.y() * a.y())});
+        spans_[static_cast<std::size_t>(u.first + u_.spans() * v.first)].samples.push_back(k);
+    }
+}
+
+BlockBand System::flat(const std::array<double, 4>& orders) const {
+    const std::vector<Eigen::MatrixXd> gu = gram_matrices(u_);
+    const std::vector<Eigen::MatrixXd> gv = gram_matrices(v_);
+    const int nu = u_.count();
+    const int nv = v_.count();
+    // |D^k X|^2 has the binomial coefficients as multiplicities of its components.
+    constexpr std::array<std::array<double, 4>, 4> kBinomial = {
+        {{1, 0, 0, 0}, {1, 1, 0, 0}, {1, 2, 1, 0}, {1, 3, 3, 1}}};
+    BlockBand result(nv, 3 * nu, kDegree);
+    for (int j = 0; j < nv; ++j) {
+        for (int dj = 0; dj <= std::min(kDegree, nv - 1 - j); ++dj) {
+            Eigen::MatrixXd band = Eigen::MatrixXd::Zero(nu, kOrder);
+            for (std::size_t order = 0; order < 4; ++order) {
+                for (std::size_t in_v = 0; in_v <= order; ++in_v) {
+                    band +=
+                        orders[order] * kBinomial[order][in_v] * gv[in_v](j, dj) * gu[order - in_v];
+                }
+            }
+            for (int i = 0; i < nu; ++i) {
+                for (int di = 0; di <= std::min(kDegree, nu - 1 - i); ++di) {
+                    for (int c = 0; c < 3; ++c) {
+                        const int row = 3 * nu * dj;
+                        result.column(j)(row + 3 * (i + di) + c, 3 * i + c) = band(i, di);
+                        result.column(j)(row + 3 * i + c, 3 * (i + di) + c) = band(i, di);
+                    }
+                }
+            }
+        }
+    }
+    return result;
+}
+
+LocalBasis System::basis_at(const QuadraturePoint& point) const {
+    return local_basis(u_rows_[point.u_row], v_rows_[point.v_row]);
+}
+
+System::Residuals System::residuals(std::size_t sample, const LocalPoles& poles) const {
+    const BoundarySample& s = samples_[sample];
+    const SampleBasis& b = sample_bases_[sample];
+    const Eigen::Vector3d across = poles * b.across;
+    Residuals r;
+    r.head<3>() = poles * b.value - s.point;
+    r[3] = s.normal.dot(across);
+    r[4] = s.normal.dot(poles * b.second) - across.dot(s.curvature * across);
+    return r;
+}
+
+System::Residuals System::residual_weights(std::size_t sample) const {
+    const BoundarySample& s = samples_[sample];
+    Residuals w;
+    w.head<3>().setConstant(s.length);
+    w[3] = s.continuity >= Continuity::G1 ? s.length * weights_.angle : 0.0;
+    w[4] = s.continuity >= Continuity::G2 ? s.length * weights_.curvature : 0.0;
+    return w;
+}
+
+Net System::start() const {
+    BlockBand matrix(v_.count(), 3 * u_.count(), kDegree);
+    matrix.add(flat({0.0, 0.0, 0.0, 1.0}), kStartEnergy);
+    Eigen::VectorXd right = Eigen::VectorXd::Zero(matrix.rows());
+    for (const Span& span : spans_) {
+        if (span.samples.empty()) {
+            continue;
+        }
+        LocalMatrix local = LocalMatrix::Zero();
+        LocalVector local_right = LocalVector::Zero();
+        for (const std::size_t k : span.samples) {
+            const BoundarySample& s = samples_[k];
+            const SampleBasis& b = sample_bases_[k];
+            const double angle = s.continuity >= Continuity::G1 ? weights_.angle : 0.0;
+            const double across = s.continuity >= Continuity::G1 ? kStartAcross : 0.0;
+            const Eigen::Matrix3d block =
+                angle * s.normal * s.normal.transpose() + across * Eigen::Matrix3d::Identity();
+            for (int q = 0; q < kLocal; ++q) {
+                local_right.segment<3>(3 * q) +=
+                    s.length * (b.value[q] * s.point + across * b.across[q] * s.inward);
+                for (int p = q; p < kLocal; ++p) {
+                    local.block<3, 3>(3 * p, 3 * q) +=
+                        s.length * (b.value[p] * b.value[q] * Eigen::Matrix3d::Identity() +
+                                    b.across[p] * b.across[q] * block);
+                }
+            }
+        }
+        scatter(span, local, matrix);
+        scatter(span, local_right, right);
+    }
+    const bool definite = matrix.factorise();
+    SUTURE_EXPECTS(definite);
+    const Eigen::VectorXd x = matrix.solve(right);
+    return {u_, v_, Eigen::Map<const Eigen::Matrix3Xd>(x.data(), 3, x.size() / 3)};
+}
+
+void System::add_energy(const Span& span, const LocalPoles& poles, LocalMatrix& matrix,
+                        LocalVector& gradient, double& objective) const {
+    if (span.points.empty()) {
+        return;
+    }
+    // Row 4 p + r: residual r at point p.
+    Eigen::Matrix<double, Eigen::Dynamic, 3 * kLocal> J(4 * span.points.size(), 3 * kLocal);
+    Eigen::VectorXd r(4 * span.points.size());
+    Eigen::Index row = 0;
+    for (const QuadraturePoint& point : span.points) {
+        const LocalBasis basis = basis_at(point);
+        const Derivatives X = poles * basis;
+        const CurvatureVariation variation = linearised_curvature_variation(X);
+        const double scale = std::sqrt(weights_.energy * point.weight);
+        r.segment<4>(row) = scale * variation.residual;
+        for (int k = 0; k < 4; ++k, ++row) {
+            const Eigen::Map<const Derivatives> chain(variation.jacobian.col(k).data());
+            const LocalPoles pulled = scale * chain * basis.transpose();
+            J.row(row) = Eigen::Map<const LocalVector>(pulled.data()).transpose();
+        }
+    }
+    matrix.selfadjointView<Eigen::Lower>().rankUpdate(J.transpose());
+    gradient.noalias() += J.transpose() * r;
+    objective += 0.5 * r.squaredNorm();
+}
+
+void System::add_conditions(const Span& span, const LocalPoles& poles, LocalMatrix& matrix,
+                            LocalVector& gradient, double& objective) const {
+    for (const std::size_t k : span.samples) {
+        const BoundarySample& s = samples_[k];
+        const SampleBasis& b = sample_bases_[k];
+        const Residuals w = residual_weights(k);
+        const Residuals r = residuals(k, poles);
+        objective += 0.5 * w.dot(r.cwiseAbs2());
+        LocalPoles J = s.normal * b.across.transpose();
+        LocalPoles pulled = w[0] * r.head<3>() * b.value.transpose() + w[3] * r[3] * J;
+        Eigen::Map<const LocalVector> row(J.data());
+        if (w[3] > 0.0) {
+            matrix.selfadjointView<Eigen::Lower>().rankUpdate(row, w[3]);
+        }
+        if (w[4] > 0.0) {
+            const Eigen::Vector3d pull = 2.0 * s.curvature * (poles * b.across);
+            J = s.normal * b.second.transpose() - pull * b.across.transpose();
+            pulled += w[4] * r[4] * J;
+            matrix.selfadjointView<Eigen::Lower>().rankUpdate(row, w[4]);
+        }
+        gradient += Eigen::Map<const LocalVector>(pulled.data());
+        for (int q = 0; q < kLocal; ++q) {
+            for (int p = q; p < kLocal; ++p) {
+                const double entry = w[0] * b.value[p] * b.value[q];
+                for (int c = 0; c < 3; ++c) {
+                    matrix(3 * p + c, 3 * q + c) += entry;
+                }
+            }
+        }
+    }
+}
+
+void System::scatter(const Span& span, const LocalMatrix& local, BlockBand& matrix) const {
+    constexpr int kRow = 3 * kOrder;  // unknowns of one row of poles on a span
+    const int size = matrix.size();
+    for (int b = 0; b < kOrder; ++b) {
+        for (int a = b; a < kOrder; ++a) {
+            matrix.column(span.v + b).block<kRow, kRow>((a - b) * size + 3 * span.u, 3 * span.u) +=
+                local.block<kRow, kRow>(kRow * a, kRow * b);
+        }
+    }
+}
+
+void System::scatter(const Span& span, const LocalVector& local, Eigen::VectorXd& vector) const {
+    constexpr int kRow = 3 * kOrder;
+    for (int b = 0; b < kOrder; ++b) {
+        vector.segment<kRow>(3 * (span.u + u_.count() * (span.v + b))) +=
+            local.segment<kRow>(kRow * b);
+    }
+}
+
+System::Linearised System::linearise(const Net& net) const {
+    Linearised result{BlockBand(v_.count(), 3 * u_.count(), kDegree),
+                      Eigen::VectorXd::Zero(net.unknowns()), 0.0};
+    for (const Span& span : spans_) {
+        if (span.points.empty() && span.samples.empty()) {
+            continue;
+        }
+        const LocalPoles poles = net.local_poles(span.u, span.v);
+        LocalMatrix local = LocalMatrix::Zero();
+        LocalVector gradient = LocalVector::Zero();
+        add_energy(span, poles, local, gradient, result.objective);
+        add_conditions(span, poles, local, gradient, result.objective);
+        scatter(span, local, result.matrix);
+        scatter(span, gradient, result.gradient);
+    }
+    const Eigen::Map<const Eigen::VectorXd> x(net.poles.data(), net.unknowns());
+    const Eigen::VectorXd flat = weights_.energy * flat_.times(x);
+    result.matrix.add(flat_, weights_.energy);
+    result.gradient += flat;
+    result.objective += 0.5 * flat.dot(x);
+    return result;
+}
+
+double System::objective(const Net& net) const {
+    double sum = 0.0;
+    for (const Span& span : spans_) {
+        const LocalPoles poles = net.local_poles(span.u, span.v);
+        for (const QuadraturePoint& point : span.points) {
+            const Derivatives X = poles * basis_at(point);
+            sum += weights_.energy * point.weight * curvature_variation(X).squaredNorm();
+        }
+        for (const std::size_t k : span.samples) {
+            sum += residual_weights(k).dot(residuals(k, poles).cwiseAbs2());
+        }
+    }
+    const Eigen::Map<const Eigen::VectorXd> x(net.poles.data(), net.unknowns());
+    return 0.5 * (sum + weights_.energy * x.dot(flat_.times(x)));
+}
+
+void System::set_weights(const Weights& weights) {
+    weights_ = weights;
+    flat_ = flat({0.0, 0.0, weights.parametrisation, weights.extension});
+}
+
+double System::normal_move(const Net& net, const Net& moved) const {
+    double largest = 0.0;
+    for (const Span& span : spans_) {
+        const LocalPoles poles = net.local_poles(span.u, span.v);
+        const LocalPoles change = moved.local_poles(span.u, span.v) - poles;
+        for (const QuadraturePoint& point : span.points) {
+            const Derivatives X = poles * basis_at(point);
+            const Eigen::Vector3d n = X.col(0).cross(X.col(1)).normalized();
+            const LocalValues values = local_values(u_rows_[point.u_row], v_rows_[point.v_row]);
+            largest = std::max(largest, std::abs(n.dot(change * values)));
+        }
+    }
+    return largest;
+}
+
+}  // namespace suture::mvs
