@@ -126,7 +126,7 @@ Summary summarise(const ContinuityReport& report, const Profile& profile) {
     return summary;
 }
 
-Json json_of(const Summary& summary, const ContinuityReport& report) {
+Json summary_json(const Summary& summary, const ContinuityReport& report) {
     return {{"edges", summary.edges},
             {"sharp", summary.sharp},
             {"G0", summary.g0},
@@ -197,7 +197,7 @@ Result<Outcome> check(Run& run, const Command& command, const CheckOptions& opti
         {"sewing", json_of(model->sewing)},
         {"profile", json_of(options.profile)},
         {"edges", std::move(edges)},
-        {"summary", json_of(summary, *report)},
+        {"summary", summary_json(summary, *report)},
         {"shape", json_of(validity)},
         {"seconds",
          {{"read", model->seconds_read}, {"sew", model->seconds_sew}, {"check", watch.seconds()}}}};

@@ -75,6 +75,7 @@ struct CommonOptions {
 /// One command of the program. `validate` finds what is wrong with the command line itself, before
 /// anything is read; `run` does the work, in the supervised process.
 struct Command {
+    std::string name;
     CLI::App* app = nullptr;
     CommonOptions common;
     std::filesystem::path input;

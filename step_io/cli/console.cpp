@@ -1,5 +1,6 @@
 #include "cli/console.h"
 
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 #include <spdlog/sinks/stdout_sinks.h>
@@ -65,8 +66,14 @@ void print_warning(std::string_view message) {
     print_line("warning: ", message);
 }
 
-ResultStream::ResultStream() : file_(dup(STDOUT_FILENO)) {
-    dup2(STDERR_FILENO, STDOUT_FILENO);
+ResultStream::ResultStream(bool verbose) : file_(dup(STDOUT_FILENO)) {
+    if (verbose) {
+        dup2(STDERR_FILENO, STDOUT_FILENO);
+        return;
+    }
+    const int nowhere = open("/dev/null", O_WRONLY | O_CLOEXEC);
+    dup2(nowhere, STDOUT_FILENO);
+    close(nowhere);
 }
 
 ResultStream::~ResultStream() {

@@ -14,11 +14,11 @@ namespace suture::cli {
 void print_error(std::string_view message);
 void print_warning(std::string_view message);
 
-/// Standard output, kept for the result alone: from construction on, whatever else a library
-/// writes to file descriptor 1 goes to stderr.
+/// Standard output, kept for the result alone: from construction on, what a library writes to file
+/// descriptor 1 goes to stderr if `verbose`, or else nowhere.
 class ResultStream {
   public:
-    ResultStream();
+    explicit ResultStream(bool verbose);
     ResultStream(const ResultStream&) = delete;
     ResultStream& operator=(const ResultStream&) = delete;
     ~ResultStream();

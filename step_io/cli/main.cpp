@@ -82,7 +82,7 @@ int print_failure(const Command& command, const Error& error, int code,
     return code;
 }
 
-/// OCCT says on stdout what it likes; here it says it on stderr, and only if asked.
+/// OCCT says what it likes; here it does only if asked.
 void silence_occt(bool verbose) {
     if (!verbose) {
         Message::DefaultMessenger()->ChangePrinters().Clear();
@@ -91,11 +91,11 @@ void silence_occt(bool verbose) {
 
 /// The job: in the supervised process.
 int run_job(Command& command, const StageLine& line, std::stop_token cancel) {
-    const ResultStream out;
+    const ResultStream out(command.common.verbose);
     set_up_log(command.common.verbose);
     Run run(line, std::move(cancel), command.common.progress);
     const Result<Outcome> outcome =
-        occ::guarded(std::string("suture ") + command.app->get_name(), [&]() -> Result<Outcome> {
+        occ::guarded(std::string("suture ") + command.name, [&]() -> Result<Outcome> {
             silence_occt(command.common.verbose);
             Result<Outcome> result = command.run(run);
             if (result) {

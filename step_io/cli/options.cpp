@@ -7,6 +7,7 @@ namespace suture::cli {
 std::shared_ptr<Command> add_command(CLI::App& app, const std::string& name,
                                      const std::string& description, const std::string& examples) {
     auto command = std::make_shared<Command>();
+    command->name = name;
     command->app = app.add_subcommand(name, description);
     command->app->footer("Examples:\n" + examples);
     CommonOptions& common = command->common;

@@ -16,7 +16,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <span>
 
 namespace suture::cli {
@@ -185,25 +184,29 @@ class SideFinder {
     std::vector<Signature> signatures_;
 };
 
-void judge(const Found& found, const occ::Numbering& measured,
-           const std::map<int, EdgeContinuity>& edges, const Tolerance& tolerance) {
+void judge(const Found& found, const occ::Numbering& measured, const ContinuityReport& report,
+           const Tolerance& tolerance) {
     HoleReport& hole = *found.hole;
     hole.max_gap = hole.max_angle = hole.max_curvature_mismatch = 0.0;
     hole.continuity_reached = Continuity::G2;
     hole.within_tolerance = true;
+    for (const auto& [edges, fault] : {std::pair(&report.free_edges, "is open"),
+                                       std::pair(&report.non_manifold, "has too many faces")}) {
+        for (const int number : *edges) {
+            if (std::find(found.edges.begin(), found.edges.end(), number) != found.edges.end()) {
+                hole.within_tolerance = false;
+                hole.continuity_reached = Continuity::G0;
+                hole.notes.push_back(fmt::format("edge {} of the output {}", number, fault));
+            }
+        }
+    }
     SideFinder sides(found);
     std::size_t found_sides = 0;
-    for (const int number : found.edges) {
-        const auto entry = edges.find(number);
-        if (entry == edges.end()) {
-            // A free edge of the new face: the hole is not closed there.
-            hole.within_tolerance = false;
-            hole.continuity_reached = Continuity::G0;
-            hole.notes.push_back(fmt::format("edge {} of the output is open", number));
+    for (const EdgeContinuity& edge : report.edges) {
+        if (std::find(found.edges.begin(), found.edges.end(), edge.edge) == found.edges.end()) {
             continue;
         }
-        const EdgeContinuity& edge = entry->second;
-        SideReport* side = sides.find(measured.edges(number));
+        SideReport* side = sides.find(measured.edges(edge.edge));
         const Continuity wanted = side != nullptr ? side->requested : hole.continuity_requested;
         if (side != nullptr) {
             ++found_sides;
@@ -264,12 +267,8 @@ Result<void> remeasure(const TopoDS_Shape& shape, std::vector<FilledPart>& parts
     if (!report) {
         return tl::unexpected(report.error());
     }
-    std::map<int, EdgeContinuity> by_number;
-    for (const EdgeContinuity& edge : report->edges) {
-        by_number[edge.edge] = edge;
-    }
     for (const Found& found : holes) {
-        judge(found, measured, by_number, tolerance);
+        judge(found, measured, *report, tolerance);
     }
     return {};
 }

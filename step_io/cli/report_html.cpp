@@ -1,6 +1,5 @@
 #include "cli/report_html.h"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 namespace suture::cli {
@@ -78,7 +77,7 @@ std::string html_of(const Section& section) {
 
 std::string html_report(const Command& command, const Outcome& outcome) {
     const std::string file = escaped(command.input.filename().string());
-    const std::string title = fmt::format("suture {}", command.app->get_name());
+    const std::string title = fmt::format("suture {}", command.name);
     std::string html = fmt::format(
         "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
         "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"

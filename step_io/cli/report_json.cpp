@@ -1,7 +1,5 @@
 #include "cli/report_json.h"
 
-#include <CLI/CLI.hpp>
-
 #include <algorithm>
 #include <array>
 
@@ -49,7 +47,7 @@ Json document_head(const Command& command) {
     Json head{{"schema", kSchema},
               {"program", "suture"},
               {"version", SUTURE_VERSION},
-              {"command", command.app->get_name()}};
+              {"command", command.name}};
     if (!command.input.empty()) {
         head["input"] = command.input.string();
     }
