@@ -1,0 +1,111 @@
+#!/usr/bin/python3
+"""Weighs `suture fill` against a bare OCCT program that reads and writes the same file.
+
+    overhead.py [-o RESULT.json] [--runs 5] [--cases WORD...] [--methods ID...]
+
+Both are run in turns, so that a busy machine slows both. The ratio is of the medians of the whole
+processes' seconds, the seconds within the fill methods taken off.
+"""
+
+import argparse
+import json
+import statistics
+import sys
+import tempfile
+from pathlib import Path
+
+from bench import machine
+from cases import reopened_cases, with_holes
+from program import BARE, BUILD, SUTURE, run
+
+LIMIT = 300  # seconds for one run
+METHODS = ("plane", "extend", "auto")
+STAGES = ("read", "detect", "fill", "sew", "write", "check")
+# Small and large files, constructed and real ones.
+CASES = (
+    "01_suitcase_equal", "26_sphere_octant", "R01_sphere3_boxblend", "R13_bspl4s_nacelle",
+    "R19_bspl5_fork", "H05_cyl5_body", "H09_cyl8_basemount", "R36_cyl6_ftc10", "H11_bspl6_linkrods",
+    "H02_cyl8_lowerleg", "H07_bspl5_wrist", "R20_bspl5_hpdc",
+)  # fmt: skip
+
+
+def medians(runs):
+    """Median of every stage over the runs."""
+    stages = [document.get("seconds", {}) for document in (one.document() or {} for one in runs)]
+    keys = {key for stage in stages for key in stage}
+    return {key: statistics.median(stage[key] for stage in stages if key in stage) for key in keys}
+
+
+def method_that_fills(case, methods, out):
+    """The first of the methods that closes the hole: what is weighed is a whole run."""
+    for method in methods:
+        done = run(command(case, method, out), LIMIT)
+        holes = (done.document() or {}).get("holes", [])
+        if any(hole["status"] == "filled" for hole in holes):
+            return method
+    return None
+
+
+def command(case, method, out):
+    return [SUTURE, "fill", case.model, "-o", out, "--hole", case.hole, "--method", method, "--json"]
+
+
+def weigh(case, methods, runs, folder):
+    out, bare_out = folder / "filled.step", folder / "bare.step"
+    method = method_that_fills(case, methods, out)
+    row = {"case": case.name, "bytes": case.model.stat().st_size, "method": method}
+    if method is None:
+        return row | {"reason": f"none of {', '.join(methods)} fills it"}
+    ours, bare = [], []
+    for _ in range(runs):
+        bare.append(run([BARE, case.model, bare_out], LIMIT))
+        ours.append(run(command(case, method, out), LIMIT))
+    if any(one.code != 0 for one in bare):
+        return row | {"reason": f"bare OCCT fails: {bare[0].err.strip()}"}
+    own = [one.seconds - one.document()["seconds"]["fill"] for one in ours]
+    own_cpu = [one.cpu_seconds - one.document()["seconds"]["fill"] for one in ours]
+    row |= {
+        "bare_seconds": statistics.median(one.seconds for one in bare),
+        "seconds": statistics.median(one.seconds for one in ours),
+        "fill_seconds": statistics.median(one.document()["seconds"]["fill"] for one in ours),
+        "ratio": statistics.median(own) / statistics.median(one.seconds for one in bare),
+        "cpu_ratio": statistics.median(own_cpu) / statistics.median(one.cpu_seconds for one in bare),
+        "stages": medians(ours),
+        "bare_peak_bytes": max(one.peak_bytes for one in bare),
+        "peak_bytes": max(one.peak_bytes for one in ours),
+    }
+    return row
+
+
+def overhead(options):
+    wanted = options.cases or CASES
+    rows = []
+    with tempfile.TemporaryDirectory(prefix="suture_overhead_") as folder:
+        for model in reopened_cases():
+            if not any(word in model.name for word in wanted):
+                continue
+            for case in with_holes(model):
+                rows.append(weigh(case, options.methods, options.runs, Path(folder)))
+                print(
+                    f"{case.name:24} {rows[-1].get('ratio', float('nan')):6.2f} "
+                    f"{rows[-1].get('cpu_ratio', float('nan')):6.2f}",
+                    file=sys.stderr,
+                )
+    return {"machine": machine(), "runs": options.runs, "rows": rows}
+
+
+def main(arguments):
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("-o", "--output", type=Path, default=BUILD / "overhead.json")
+    parser.add_argument("--runs", type=int, default=5)
+    parser.add_argument("--cases", nargs="*", help="words in the names of the cases to run")
+    parser.add_argument("--methods", nargs="*", default=METHODS)
+    options = parser.parse_args(arguments)
+    result = overhead(options)
+    options.output.write_text(json.dumps(result, indent=1) + "\n", encoding="utf-8")
+    print(options.output)
+    return 0 if result["rows"] else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

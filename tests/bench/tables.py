@@ -1,0 +1,199 @@
+#!/usr/bin/python3
+"""Makes docs/benchmark.md, or another Markdown file, of what bench.py and overhead.py have written.
+
+    tables.py BENCH.json [OVERHEAD.json] -o OUT.md
+
+Every row of the results is in the tables, in the order of the runs: also refusals, with their reason,
+and cases that come out worse.
+"""
+
+import argparse
+import json
+import statistics
+from pathlib import Path
+
+HEADER = """\
+# Benchmark
+
+Made by `cmake --preset bench && cmake --build --preset bench` (tests/bench); not edited by hand.
+
+{program}, {date}; {processor}, {cores} cores; medians of {runs} runs.
+
+- **fill s**: seconds within the fill method, with `auto` in all that it tried; **all s**: the whole
+  process, from reading to measuring; **MB**: its largest process.
+- **gap** [mm], **angle** [deg], **curvature** [%]: largest on the new face's edges, by the report, which
+  measures the written file after reading it again; angle and curvature where the program chose to join
+  smoothly.
+- **deviation**: largest distance between the new face and the lost one, both ways, divided by the hole's
+  diameter; measured by `suture_judge`, which shares no code with the program. "-": the lost face is not
+  known.
+- **net**: degree and number of poles of the new surfaces, or the name of a closed form.
+- **valid**: the written file holds no free edge where the hole was, and OCCT's BRepCheck finds nothing
+  wrong with it, by the judge.
+"""
+
+COLUMNS = (
+    "method", "fill s", "all s", "MB", "gap", "angle", "curvature", "deviation", "net", "valid", "result",
+)  # fmt: skip
+
+
+def number(value, digits=2):
+    if value is None:
+        return "-"
+    if value == 0:
+        return "0"
+    return f"{value:.{digits}g}" if abs(value) < 0.01 or abs(value) >= 1e4 else f"{value:.{digits + 1}g}"
+
+
+def seconds(value):
+    return "-" if value is None else f"{value:.2f}"
+
+
+def table(columns, rows):
+    lines = ["| " + " | ".join(columns) + " |", "|" + "---|" * len(columns)]
+    lines += ["| " + " | ".join(str(cell).replace("|", "/") for cell in row) + " |" for row in rows]
+    return "\n".join(lines) + "\n"
+
+
+def net_of(patches):
+    """"5x5: 17x17" for a spline, "sphere" for a closed form; equal ones counted."""
+    words = [
+        f"{patch['degree_u']}x{patch['degree_v']}: {patch['poles_u']}x{patch['poles_v']}"
+        if patch["poles_u"]
+        else patch["kind"]
+        for patch in patches
+    ]
+    counted = [(words.count(word), word) for word in dict.fromkeys(words)]
+    return ", ".join(word if count == 1 else f"{count} of {word}" for count, word in counted)
+
+
+def validity_of(row):
+    judge = row["judge"]
+    if "judge_error" in judge:
+        return "judge failed: " + judge["judge_error"]
+    if not judge["valid"]:
+        return "NOT VALID"
+    closed = "closed" if judge["free_edges"] == 0 else f"{judge['free_edges']} free edges"
+    return closed if judge["lost_faces"] == 0 else f"{closed}, {judge['lost_faces']} FACES CHANGED"
+
+
+def result_of(row):
+    if row["status"] != "filled":
+        return f"{row['status']}: {row['reason']}"
+    used = "" if row["method_used"] == row["method"] else f"{row['method_used']}; "
+    return used + ("within tolerance" if row["within_tolerance"] else "out of tolerance")
+
+
+def cells_of(row):
+    first = [row["method"], seconds(row["seconds_fill"]), seconds(row["seconds_process"])]
+    first.append(f"{row['peak_bytes'] / 2**20:.0f}")
+    if row["status"] != "filled":
+        return first + ["-"] * 6 + [result_of(row)]
+    curvature = row["max_curvature_mismatch"]
+    return first + [
+        number(row["max_gap"]),
+        number(row["max_angle_deg"]),
+        number(None if curvature is None else 100 * curvature),
+        number(row["judge"].get("fidelity")),
+        net_of(row["patches"]),
+        validity_of(row),
+        result_of(row),
+    ]
+
+
+def median(values):
+    known = [value for value in values if value is not None]
+    return statistics.median(known) if known else None
+
+
+def summary(result):
+    """One line for each method over all cases."""
+    rows = []
+    for method in result["methods"]:
+        own = [row for row in result["rows"] if row["method"] == method]
+        filled = [row for row in own if row["status"] == "filled"]
+        judges = [row["judge"] for row in filled]
+        rows.append([
+            method,
+            f"{len(filled)} of {len(own)}",
+            sum(row["within_tolerance"] for row in filled),
+            sum(1 for judge in judges if not judge.get("valid")),
+            number(median(row["max_gap"] for row in filled)),
+            number(median(row["max_angle_deg"] for row in filled)),
+            number(max((row["max_angle_deg"] or 0 for row in filled), default=None)),
+            number(median(judge.get("fidelity") for judge in judges)),
+            number(max((judge.get("fidelity") or 0 for judge in judges), default=None)),
+            seconds(median(row["seconds_fill"] for row in filled)),
+            seconds(max((row["seconds_fill"] or 0 for row in filled), default=None)),
+        ])  # fmt: skip
+    columns = (
+        "method", "filled", "within tolerance", "not valid", "median gap", "median angle", "worst angle",
+        "median deviation", "worst deviation", "median fill s", "worst fill s",
+    )  # fmt: skip
+    return table(columns, rows)
+
+
+def hole_tables(result):
+    text = ""
+    for case in dict.fromkeys(row["case"] for row in result["rows"]):
+        rows = [row for row in result["rows"] if row["case"] == case]
+        text += f"\n### {case}\n\n{rows[0]['sides']} sides, diameter {rows[0]['diameter']:.4g} mm\n\n"
+        text += table(COLUMNS, [cells_of(row) for row in rows])
+    for broken in result["cases_without_hole"]:
+        text += f"\n### {broken['case']}\n\n{broken['reason']}\n"
+    return text
+
+
+def overhead_section(result):
+    stages = ("read", "detect", "fill", "sew", "write", "check")
+    rows = []
+    for row in result["rows"]:
+        size = f"{row['bytes'] / 1e6:.2f}"
+        if "ratio" not in row:
+            rows.append([row["case"], size, row["method"] or "-", row["reason"]] + ["-"] * 10)
+            continue
+        rows.append([
+            row["case"], size, row["method"], f"{row['ratio']:.2f}", f"{row['cpu_ratio']:.2f}",
+            seconds(row["bare_seconds"]), seconds(row["seconds"]),
+            *(seconds(row["stages"].get(stage)) for stage in stages),
+            f"{row['peak_bytes'] / row['bare_peak_bytes']:.2f}",
+        ])  # fmt: skip
+    columns = (
+        "case", "MB", "method", "ratio", "ratio of CPU time", "bare s", "suture s", *stages, "memory ratio",
+    )  # fmt: skip
+    return f"""
+## Overhead
+
+`suture fill` against a bare OCCT program that reads and writes the same file (STEPControl_Reader,
+STEPControl_Writer), in turns, medians of {result['runs']} runs of the whole processes; the seconds within
+the fill method are taken off. The aim is a ratio of at most 1.3.
+
+{table(columns, rows)}"""
+
+
+def benchmark(result, overhead):
+    text = HEADER.format(runs=result["runs"], program=result["program"], date=result["date"],
+                         **result["machine"])  # fmt: skip
+    text += f"\n## All holes\n\n{summary(result)}"
+    if overhead:
+        text += overhead_section(overhead)
+    return text + "\n## Hole by hole\n" + hole_tables(result)
+
+
+def load(path):
+    return json.loads(path.read_text(encoding="utf-8"))
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("bench", type=Path)
+    parser.add_argument("overhead", type=Path, nargs="?")
+    parser.add_argument("-o", "--output", type=Path, required=True)
+    options = parser.parse_args()
+    overhead = load(options.overhead) if options.overhead else None
+    options.output.write_text(benchmark(load(options.bench), overhead), encoding="utf-8")
+    print(options.output)
+
+
+if __name__ == "__main__":
+    main()

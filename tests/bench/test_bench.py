@@ -1,0 +1,114 @@
+"""A small run of the benchmark, and its tables on made-up results."""
+
+import json
+import os
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parent))
+
+import bench  # noqa: E402
+import tables  # noqa: E402
+from cases import Case, reopened_cases  # noqa: E402
+from program import run  # noqa: E402
+
+FILLED = {
+    "case": "lid", "sides": 4, "diameter": 10.0, "method": "plane", "status": "filled", "reason": "as asked",
+    "method_used": "plane", "within_tolerance": True, "valid": True, "closed": True, "notes": [],
+    "seconds_fill": 0.001, "seconds_process": 0.2, "peak_bytes": 2**25, "max_gap": 1e-9,
+    "max_angle_deg": 0.0, "max_curvature_mismatch": None,
+    "patches": [{"kind": "plane", "poles_u": 0, "poles_v": 0, "degree_u": 0, "degree_v": 0}],
+    "judge": {"valid": True, "free_edges": 0, "lost_faces": 0, "fidelity": 1e-12},
+}  # fmt: skip
+REFUSED = {
+    "case": "lid", "sides": 4, "diameter": 10.0, "method": "extend", "status": "refused",
+    "reason": "Face1 and Face2 lie on different planes", "seconds_fill": None, "seconds_process": 0.2,
+    "peak_bytes": 2**25,
+}  # fmt: skip
+RESULT = {
+    "program": "suture", "date": "", "machine": {"processor": "", "cores": 2}, "runs": 1,
+    "methods": ["plane", "extend"], "rows": [FILLED, REFUSED], "cases_without_hole": [],
+}  # fmt: skip
+
+
+class Run(unittest.TestCase):
+    def test_what_a_program_took_is_that_of_its_whole_family(self):
+        child = "import time; block = bytearray(100_000_000); time.sleep(0.2)"
+        parent = f"import subprocess, sys; subprocess.run([sys.executable, '-c', {child!r}])"
+        done = run([sys.executable, "-c", parent], 60)
+        self.assertEqual(done.code, 0)
+        self.assertGreater(done.peak_bytes, 100_000_000)
+        self.assertGreater(done.seconds, 0.2)
+
+    def test_a_program_that_hangs_is_stopped(self):
+        done = run([sys.executable, "-c", "import time; time.sleep(60)"], 0.3)
+        self.assertTrue(done.timed_out)
+        self.assertLess(done.seconds, 30)
+
+
+class Tables(unittest.TestCase):
+    def test_a_refusal_is_listed_with_its_reason(self):
+        text = tables.benchmark(RESULT, None)
+        self.assertIn("refused: Face1 and Face2 lie on different planes", text)
+        self.assertIn("| extend | 0 of 1 |", text)
+
+    def test_an_invalid_result_is_not_hidden(self):
+        bad = FILLED | {"judge": FILLED["judge"] | {"valid": False}}
+        text = tables.benchmark(RESULT | {"rows": [bad]}, None)
+        self.assertIn("NOT VALID", text)
+
+    def test_a_changed_face_is_not_hidden(self):
+        bad = FILLED | {"judge": FILLED["judge"] | {"lost_faces": 2}}
+        self.assertIn("2 FACES CHANGED", tables.benchmark(RESULT | {"rows": [bad]}, None))
+
+    def test_a_judge_that_fails_is_not_hidden(self):
+        bad = FILLED | {"judge": {"judge_error": "crashed"}}
+        self.assertIn("judge failed: crashed", tables.benchmark(RESULT | {"rows": [bad]}, None))
+
+
+class Bench(unittest.TestCase):
+    def bench(self, *arguments):
+        with tempfile.TemporaryDirectory() as folder:
+            output = Path(folder) / "bench.json"
+            self.assertEqual(bench.main(["-o", str(output), "--runs", "1", *arguments]), 0)
+            return json.loads(output.read_text(encoding="utf-8"))
+
+    def row(self, result, case, method):
+        return next(r for r in result["rows"] if r["case"] == case and r["method"] == method)
+
+    def test_examples_are_filled_and_judged(self):
+        result = self.bench("--examples-only", "--cases", "lid", "suitcase", "--methods", "plane", "extend")
+        self.assertEqual(len(result["rows"]), 4)
+        lid = self.row(result, "box_without_lid", "plane")
+        self.assertEqual((lid["status"], lid["judge"]["new_faces"]), ("filled", 1))
+        self.assertEqual((lid["judge"]["free_edges"], lid["judge"]["lost_faces"]), (0, 0))
+        self.assertTrue(lid["judge"]["valid"])
+        corner = self.row(result, "suitcase_corner", "plane")
+        self.assertEqual(corner["status"], "refused")
+        self.assertTrue(corner["reason"])
+        text = tables.benchmark(result, None)
+        self.assertEqual(text.count("### "), 2)
+
+    def test_a_lost_face_that_is_restored_has_no_deviation(self):
+        if not reopened_cases():
+            self.skipTest("no ../shared/cad")
+        result = self.bench("--cases", "26_sphere", "--methods", "extend")
+        row = self.row(result, "26_sphere_octant", "extend")
+        self.assertEqual(row["status"], "filled", row["reason"])
+        self.assertLessEqual(row["judge"]["fidelity"], 1e-7)
+
+    def test_every_method_of_the_program_has_its_row(self):
+        listed = run([os.environ["SUTURE_PROGRAM"], "methods", "--json"], 60).document()["methods"]
+        names = [name for name, _ in bench.settings_of(None)]
+        self.assertEqual({name.split()[0] for name in names}, {method["id"] for method in listed})
+        self.assertLess(set(["occt default", "occt tuned"]), set(names))
+
+    def test_a_judge_without_a_file_says_so(self):
+        case = Case("none", Path("none.step"), None, None)
+        self.assertIn("none.step", bench.judged(case, Path("none.step"))["judge_error"])
+
+
+if __name__ == "__main__":
+    unittest.main()

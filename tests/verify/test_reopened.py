@@ -1,0 +1,159 @@
+"""Fills a hole of ../shared/cad/reopened and measures the written file with FreeCAD's Part module.
+
+The case is named by SUTURE_CASE. Nothing here shares code with the program but OCCT itself.
+"""
+
+import math
+import os
+import sys
+import unittest
+from pathlib import Path
+
+HERE = Path(__file__).resolve().parent
+sys.path.insert(0, str(HERE))
+sys.path.insert(0, str(HERE.parent / "bench"))
+
+from cases import CAD, reopened_cases, with_holes  # noqa: E402
+from program import BUILD, SUTURE, run  # noqa: E402
+
+FILL_LIMIT = 300  # seconds
+DONE, OUT_OF_TOLERANCE = 0, 4  # exit codes after which there is an output
+RELATIVE, ABSOLUTE_MM, ABSOLUTE_RAD = 0.01, 1e-6, 1e-6  # how well two measurements must agree
+RESTORED = 1e-7  # of the hole's diameter: what `extend` owes to the truth
+
+
+class Filled:
+    """A case, filled by one method."""
+
+    def __init__(self, case, method):
+        self.case = case
+        folder = BUILD / "tests/verify"
+        folder.mkdir(parents=True, exist_ok=True)
+        self.out = folder / f"{case.name}-{method}.step"
+        self.out.unlink(missing_ok=True)
+        command = [SUTURE, "fill", case.model, "-o", self.out, "--hole", case.hole, "--json"]
+        self.run = run([*command, "--method", method], FILL_LIMIT)
+        self.report = self.run.document()
+
+    def entry(self):
+        return next(hole for hole in self.report["holes"] if self.case.hole in hole["ids"])
+
+
+def agree(ours, theirs, absolute):
+    return abs(ours - theirs) <= max(absolute, RELATIVE * max(ours, theirs))
+
+
+class Reopened(unittest.TestCase):
+    def test_auto(self):
+        self.fill_and_measure("auto")
+
+    def test_occt(self):
+        self.fill_and_measure("occt")
+
+    def setUp(self):
+        if not (CAD / "reopened").is_dir():
+            self.skipTest("no ../shared/cad")
+        try:
+            import shapes
+        except ImportError as error:
+            self.skipTest(f"no FreeCAD: {error}")
+        self.shapes = shapes
+
+    def fill_and_measure(self, method):
+        case = next(case for case in reopened_cases() if case.name == os.environ["SUTURE_CASE"])
+        self.filled = Filled(with_holes(case)[0], method)
+        done = self.filled.run
+        self.assertIn(done.code, (DONE, OUT_OF_TOLERANCE), done.err)
+        self.assertEqual(self.filled.report["measured_on"], "file")
+        entry = self.filled.entry()
+        if entry["status"] == "refused":
+            self.check_refusal(method, entry)
+            return
+        self.before = self.shapes.read(self.filled.case.model)
+        self.after = self.shapes.read(self.filled.out)
+        self.faces = self.shapes.Comparison(self.before, self.after)
+        for check in (
+            self.check_closed, self.check_untouched, self.check_figures, self.check_restored,
+        ):  # fmt: skip
+            with self.subTest(check.__name__):
+                check()
+
+    def check_refusal(self, method, entry):
+        """OCCT's filling may fail, and then the reason is told; `auto` must find something."""
+        self.assertEqual(method, "occt", entry["reason"])
+        self.assertRegex(entry["reason"], r"\w{3}")
+        self.assertEqual(self.filled.run.code, OUT_OF_TOLERANCE)
+
+    def check_closed(self):
+        """A closed valid solid where the model was one before the face was taken out."""
+        if self.filled.case.truth is None:
+            return
+        open_edges = len(self.shapes.free_edges(self.before))
+        left = len(self.shapes.free_edges(self.after))
+        self.assertEqual(left, open_edges - self.filled.case.sides, "free edges")
+        self.assertEqual(self.filled.report["free_edges"], left)
+        if left > 0:
+            return
+        self.assertTrue(self.after.isValid(), "BRepCheck")
+        self.assertTrue(self.filled.report["valid"] and self.filled.report["closed"])
+        self.assertGreaterEqual(len(self.after.Solids), 1)
+        for shell in self.after.Shells:
+            self.assertTrue(shell.isClosed())
+        for solid in self.after.Solids:
+            self.assertGreater(solid.Volume, 0.0, "inside out")
+
+    def check_untouched(self):
+        """Surfaces, areas and tolerances of all other faces are what they were."""
+        limits = self.shapes
+        self.assertEqual(len(self.faces.lost), 0, "faces of the input that are not in the output")
+        self.assertEqual(len(self.faces.added), len(self.filled.entry()["patches"]))
+        for old, new in self.faces.kept:
+            where = f"face at {tuple(round(x, 3) for x in old.centroid)}"
+            self.assertEqual(new.kind, old.kind, where)
+            self.assertLessEqual(abs(new.area - old.area), limits.AREA * old.area, where)
+            self.assertLessEqual(abs(new.tolerance - old.tolerance), limits.TOLERANCE, where)
+        self.check_edges()
+
+    def check_edges(self):
+        """Edges that do not bound the new face keep their tolerance, and so do their vertices."""
+        bounding = [edge for facts in self.faces.added for edge in facts.face.Edges]
+        corners = [vertex for edge in bounding for vertex in edge.Vertexes]
+        for old, new in self.faces.kept:
+            if any(edge.isSame(other) for edge in new.face.Edges for other in bounding):
+                continue
+            for kind in ("Edges", "Vertexes"):
+                before = sorted(part.Tolerance for part in getattr(old.face, kind))
+                after = sorted(
+                    part.Tolerance
+                    for part in getattr(new.face, kind)
+                    if not any(part.isSame(corner) for corner in corners)
+                )
+                if len(after) != len(before):
+                    continue
+                for ours, theirs in zip(after, before):
+                    self.assertLessEqual(abs(ours - theirs), self.shapes.TOLERANCE, kind)
+
+    def check_figures(self):
+        """Gap and angle are what an independent measurement finds."""
+        entry = self.filled.entry()
+        gap, angle = self.shapes.largest_gap_and_angle(self.after, self.faces.added)
+        # Of each side, also of those where only position was asked for.
+        reported = max((side["max_angle_deg"] for side in entry["edges"]), default=0.0)
+        reported = max(reported, entry["max_angle_deg"])
+        with self.subTest("gap", suture=entry["max_gap"], freecad=gap):
+            self.assertTrue(agree(entry["max_gap"], gap, ABSOLUTE_MM))
+        with self.subTest("angle", suture=reported, freecad=angle):
+            self.assertTrue(agree(reported, angle, math.degrees(ABSOLUTE_RAD)))
+
+    def check_restored(self):
+        """Where the neighbours' common surface was continued, it is the lost one."""
+        case = self.filled.case
+        if self.filled.entry()["method_used"] != "extend" or case.truth is None:
+            return
+        truth = self.shapes.read(case.truth).Faces[0]
+        distance = self.shapes.largest_distance(truth, self.faces.added)
+        self.assertLessEqual(distance, RESTORED * case.diameter)
+
+
+if __name__ == "__main__":
+    unittest.main()
