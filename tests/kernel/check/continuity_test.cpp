@@ -71,12 +71,7 @@ TEST(MeasureContinuity, NotesFacesWhoseOrientationsDisagree) {
 }
 
 TEST(MeasureContinuity, PlaneIntoCylinderIsTangentWithFullCurvatureMismatch) {
-    const double radius = 2.5;
-    const double h = radius * std::sqrt(0.5);
-    BRepBuilderAPI_MakeWire profile(
-        BRepBuilderAPI_MakeEdge(gp_Pnt(-4, 0, radius), gp_Pnt(0, 0, radius)).Edge(),
-        shapes::arc({0, 0, radius}, {h, 0, h}, {radius, 0, 0}));
-    const auto edge = inner_edge(BRepPrimAPI_MakePrism(profile.Wire(), gp_Vec(0, 7, 0)).Shape());
+    const auto edge = inner_edge(shapes::plane_into_cylinder(2.5));
     EXPECT_NEAR(edge.max_angle, 0.0, 1e-9);
     EXPECT_NEAR(edge.curvature_mismatch, 1.0, 1e-9);
     EXPECT_NEAR(edge.curvature_mismatch_sum, 1.0, 1e-9);
@@ -218,6 +213,25 @@ TEST(MeasureContinuity, MeasuresAKnownStepAndAKnownSlot) {
         EXPECT_NEAR(edge.max_angle, 0.0, 1e-9);
         EXPECT_EQ(edge.edge_class, EdgeClass::G0);
     }
+}
+
+TEST(MeasureContinuity, FindsTheNearestPointOnTheBorderOfAShearedPatch) {
+    const double gap = 0.0125;
+    shapes::Net sheared;
+    for (const double x : {0.0, 0.5, 1.0}) {
+        sheared.push_back({{gap + x, 0.7 * x, 0}, {gap + x, 2 + 0.7 * x, 0}});
+    }
+    const auto flat =
+        shapes::face_on(shapes::height_field(-1, 0, 2, 3, [](int, int) { return 0.0; }));
+    const auto edge = inner_edge(sewn({flat, shapes::face_on(shapes::bezier(sheared))}, 2.0 * gap));
+    EXPECT_NEAR(edge.max_gap, gap, 1e-9);
+}
+
+TEST(MeasureContinuity, ComparesNoCurvaturesThatTurnTheFacesByLessThanAnAngleNobodySees) {
+    // Per unit of edge length the wide cylinder turns by 2e-5 and 2e-4 rad; the limit is 1e-4.
+    EXPECT_EQ(inner_edge(shapes::plane_into_cylinder(7.0 / 2e-5)).curvature_mismatch, 0.0);
+    EXPECT_EQ(inner_edge(shapes::plane_into_cylinder(7.0 / 2e-5)).edge_class, EdgeClass::G2);
+    EXPECT_NEAR(inner_edge(shapes::plane_into_cylinder(7.0 / 2e-4)).curvature_mismatch, 1.0, 1e-9);
 }
 
 TEST(MeasureContinuity, FindsTheLargestGapBetweenSamplesAndWhere) {

@@ -18,7 +18,8 @@ std::vector<EdgeContinuity> measure(const TopoDS_Shape& shape) {
     return report->edges;
 }
 
-/// A crease with a gap, a capsule with a pole, and a rim: freeform, singular and closed form.
+/// A crease with a gap, a capsule with a pole, and a rim: freeform, singular, closed form, and
+/// nearly flat.
 std::vector<TopoDS_Shape> subjects() {
     const auto wave = [](double shift) {
         return [shift](int i, int j) { return 0.2 * std::sin(2.0 * i + 1.3 * j) + shift; };
@@ -26,7 +27,8 @@ std::vector<TopoDS_Shape> subjects() {
     const auto left = shapes::face_on(shapes::height_field(-1, 0, 3, 4, wave(0.0)));
     const auto right = shapes::face_on(shapes::height_field(
         0, 1, 2, 4, [&](int i, int j) { return wave(3e-3)(3 - 2 * i, j) + 0.1 * i; }));
-    return {shapes::sewn({left, right}, 1e-2), shapes::capsule(3.0), shapes::rounded_rim(5.0, 2.0)};
+    return {shapes::sewn({left, right}, 1e-2), shapes::capsule(3.0), shapes::rounded_rim(5.0, 2.0),
+            shapes::plane_into_cylinder(7.0 / 2e-4)};
 }
 
 gp_Trsf rotation() {

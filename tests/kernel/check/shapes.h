@@ -8,6 +8,7 @@
 #include <BRepBuilderAPI_MakeVertex.hxx>
 #include <BRepBuilderAPI_MakeWire.hxx>
 #include <BRepBuilderAPI_Sewing.hxx>
+#include <BRepPrimAPI_MakePrism.hxx>
 #include <BRepPrimAPI_MakeRevol.hxx>
 #include <BRep_Builder.hxx>
 #include <GC_MakeArcOfCircle.hxx>
@@ -98,6 +99,17 @@ inline TopoDS_Shape capsule(double radius) {
     const gp_Pnt rim(radius, 0, 0);
     return revolved({BRepBuilderAPI_MakeEdge(gp_Pnt(radius, 0, -3.0 * radius), rim).Edge(),
                      arc(rim, {h, 0, h}, {0, 0, radius})});
+}
+
+/// A plane that runs smoothly into the eighth of a cylinder, along an edge of length 7.
+inline TopoDS_Shape plane_into_cylinder(double radius) {
+    const auto on_arc = [radius](double angle) {
+        return gp_Pnt(radius * std::sin(angle), 0, radius * std::cos(angle) - radius);
+    };
+    BRepBuilderAPI_MakeWire profile(
+        BRepBuilderAPI_MakeEdge(gp_Pnt(-4, 0, 0), gp_Pnt(0, 0, 0)).Edge(),
+        arc(on_arc(0.0), on_arc(kPi / 8), on_arc(kPi / 4)));
+    return BRepPrimAPI_MakePrism(profile.Wire(), gp_Vec(0, 7, 0)).Shape();
 }
 
 /// A cylinder that runs smoothly into a torus: a rounded rim of radius `fillet`.
