@@ -32,7 +32,8 @@ void add_step(const ShellGraph& graph, const LoopStep& step, LoopShape& shape) {
         shape.along.push_back(walk);
         shape.onward.push_back((sign * here.normal).cross(walk).normalized());
     }
-    shape.turning += step.turning + sign * turning_along(geometry);
+    // the side of the material, not the direction of the walk, gives turning its sign
+    shape.turning += step.turning + turning_along(geometry);
     const BRepAdaptor_Curve curve(use.edge);
     shape.length += GCPnts_AbscissaPoint::Length(curve);
 }

@@ -64,6 +64,7 @@ double nearest_fraction(const ShellGraph& graph, int use, const Eigen::Vector3d&
 
 std::vector<EdgePartner> find_partners(const ShellGraph& graph, const std::vector<int>& uses) {
     std::vector<TopoDS_Edge> edges;
+    edges.reserve(uses.size());
     for (const int use : uses) {
         edges.push_back(graph.uses[use].edge);
     }

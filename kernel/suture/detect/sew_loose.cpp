@@ -9,6 +9,7 @@
 #include "suture/occ/topology.h"
 
 #include <BRep_Builder.hxx>
+#include <TopExp.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopTools_MapOfShape.hxx>
 #include <TopoDS.hxx>

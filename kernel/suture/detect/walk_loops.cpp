@@ -6,6 +6,7 @@
 #include <TopTools_DataMapOfShapeInteger.hxx>
 
 #include <algorithm>
+#include <iterator>
 
 namespace suture {
 
@@ -86,8 +87,8 @@ void split_at_vertices(const RawLoop& loop, std::vector<RawLoop>& result) {
     }
 }
 
-/// Turns the angle that the faces fill into turning. Where several fans of faces meet in a vertex,
-/// the angle that they leave open is shared equally by the loops that pass there.
+/// Turns the angle that the faces fill into turning, for the parts of one walk. Where it passed a
+/// vertex several times, the angle that the faces leave open is shared equally by the parts.
 void measure_turning(std::vector<RawLoop>& loops) {
     TopTools_DataMapOfShapeInteger index_of;
     std::vector<double> filled;
@@ -123,10 +124,12 @@ std::vector<RawLoop> walk_loops(const ShellGraph& graph) {
     std::vector<bool> visited(graph.uses.size(), false);
     for (int i = 0; i < static_cast<int>(graph.uses.size()); ++i) {
         if (graph.uses[i].free && !visited[i]) {
-            split_at_vertices(walk_from(graph, i, visited), loops);
+            std::vector<RawLoop> parts;
+            split_at_vertices(walk_from(graph, i, visited), parts);
+            measure_turning(parts);
+            std::move(parts.begin(), parts.end(), std::back_inserter(loops));
         }
     }
-    measure_turning(loops);
     return loops;
 }
 

@@ -1,0 +1,241 @@
+#include "suture/detect/sew_loose.h"
+
+#include "suture/detect/shell_graph.h"
+
+#include "kernel/detect/shapes.h"
+
+#include <BRepAlgoAPI_Cut.hxx>
+#include <BRepGProp.hxx>
+#include <BRepPrimAPI_MakeBox.hxx>
+#include <BRepPrimAPI_MakeCylinder.hxx>
+#include <GProp_GProps.hxx>
+
+#include <cmath>
+#include <limits>
+
+namespace suture {
+namespace {
+
+using test::Census;
+using test::census;
+
+double volume(const TopoDS_Shape& shape) {
+    GProp_GProps properties;
+    BRepGProp::VolumeProperties(shape, properties);
+    return properties.Mass();
+}
+
+double area(const TopoDS_Shape& shape) {
+    GProp_GProps properties;
+    BRepGProp::SurfaceProperties(shape, properties);
+    return properties.Mass();
+}
+
+SewnShape sew(const TopoDS_Shape& shape, double tolerance = 0.0) {
+    auto result = sew_loose(shape, tolerance);
+    EXPECT_TRUE(result.has_value()) << result.error().message;
+    return result.value_or(SewnShape());
+}
+
+void expect_sewn_as(const TopoDS_Shape& original, const SewnShape& sewn) {
+    EXPECT_TRUE(sewn.changed);
+    EXPECT_EQ(sewn.free_edges_after, 0);
+    EXPECT_EQ(occ::faces_of(sewn.shape).size(), occ::faces_of(original).size());
+    EXPECT_NEAR(volume(sewn.shape), volume(original), 1e-9 * volume(original));
+    EXPECT_NEAR(area(sewn.shape), area(original), 1e-9 * area(original));
+}
+
+/// Six loose faces of a box, of which the top and three sides are moved out by `gap`.
+TopoDS_Compound box_with_gaps(double gap) {
+    const double g = gap;
+    return test::compound_of({
+        test::polygon({{0, 0, 0}, {0, 20, 0}, {10, 20, 0}, {10, 0, 0}}),
+        test::polygon({{0, 0, 30 + g}, {10, 0, 30 + g}, {10, 20, 30 + g}, {0, 20, 30 + g}}),
+        test::polygon({{0, 0, 0}, {10, 0, 0}, {10, 0, 30}, {0, 0, 30}}),
+        test::polygon({{10 + g, 0, 0}, {10 + g, 20, 0}, {10 + g, 20, 30}, {10 + g, 0, 30}}),
+        test::polygon({{10, 20 + g, 0}, {0, 20 + g, 0}, {0, 20 + g, 30}, {10, 20 + g, 30}}),
+        test::polygon({{-g, 20, 0}, {-g, 0, 0}, {-g, 0, 30}, {-g, 20, 30}}),
+    });
+}
+
+TEST(SewLoose, ClosesTheLooseFacesOfASolidOutwards) {
+    const TopoDS_Shape box = BRepPrimAPI_MakeBox(10.0, 20.0, 30.0).Shape();
+    for (const double scale : {1e-3, 1.0, 1e3}) {
+        const TopoDS_Shape whole = test::moved(box, scale);
+        const SewnShape sewn = sew(test::loosened(whole));
+        expect_sewn_as(whole, sewn);
+        EXPECT_EQ(sewn.loose_faces, 6);
+        EXPECT_EQ(sewn.free_edges_before, 24);
+        EXPECT_EQ(sewn.replaced.Extent(), 6);
+    }
+}
+
+TEST(SewLoose, TurnsFacesToAgreeAndTheShellOutwards) {
+    const TopoDS_Shape box = BRepPrimAPI_MakeBox(10.0, 20.0, 30.0).Shape();
+    std::vector<TopoDS_Shape> parts;
+    int i = 0;
+    for (const TopoDS_Face& face : occ::faces_of(test::loosened(box))) {
+        parts.push_back(i++ % 3 == 0 ? TopoDS_Shape(face) : face.Reversed());
+    }
+    const SewnShape sewn = sew(test::compound_of(parts));
+    expect_sewn_as(box, sewn);
+    const ShellGraph graph = make_shell_graph(sewn.shape);
+    for (const EdgeUse& use : graph.uses) {
+        EXPECT_NE(use.edge.Orientation(), graph.uses[use.mate].edge.Orientation());
+    }
+}
+
+TEST(SewLoose, ClosesGapsThatAreSmallAgainstTheirEdges) {
+    const SewnShape sewn = sew(box_with_gaps(0.004));
+    EXPECT_EQ(sewn.free_edges_after, 0);
+    EXPECT_GE(sewn.largest_gap, 0.004);
+    EXPECT_LE(sewn.largest_gap, 0.004 * std::sqrt(3.0));
+    EXPECT_GE(sewn.tolerance, sewn.largest_gap);
+}
+
+TEST(SewLoose, LeavesGapsThatAreLargeAgainstTheirEdges) {
+    const SewnShape sewn = sew(box_with_gaps(0.3));
+    EXPECT_GT(sewn.free_edges_after, 0);
+    EXPECT_LT(sewn.tolerance, 0.1);
+}
+
+TEST(SewLoose, TakesTheGivenTolerance) {
+    const SewnShape sewn = sew(box_with_gaps(0.3), 0.7);
+    EXPECT_EQ(sewn.free_edges_after, 0);
+    EXPECT_EQ(sewn.tolerance, 0.7);
+}
+
+TEST(SewLoose, KeepsAThinSlotInAPlate) {
+    const TopoDS_Shape plate = BRepPrimAPI_MakeBox(100.0, 90.0, 5.0).Shape();
+    const TopoDS_Shape tool =
+        BRepPrimAPI_MakeBox(gp_Pnt(10, 44.95, -1), gp_Pnt(90, 45.05, 6)).Shape();
+    const TopoDS_Shape slotted = BRepAlgoAPI_Cut(plate, tool).Shape();
+    expect_sewn_as(slotted, sew(test::loosened(slotted)));
+}
+
+TEST(SewLoose, KeepsASlotInALoneSheet) {
+    test::PolygonMesh mesh({{0, 0, 0},
+                            {100, 0, 0},
+                            {100, 90, 0},
+                            {0, 90, 0},
+                            {10, 44.95, 0},
+                            {90, 44.95, 0},
+                            {90, 45.05, 0},
+                            {10, 45.05, 0}});
+    const TopoDS_Face sheet = mesh.face({{0, 1, 2, 3}, {4, 7, 6, 5}});
+    const SewnShape sewn = sew(test::compound_of({sheet}));
+    EXPECT_FALSE(sewn.changed);
+    EXPECT_EQ(census(sewn.shape), (Census{{"rim", 4}, {"hole", 4}}));
+}
+
+TEST(SewLoose, KeepsANarrowSlotBetweenTwoFaces) {
+    // a sheet in two halves that meet left and right of a slot 0.1 wide and 80 long
+    const TopoDS_Face lower = test::polygon({{0, 0, 0},
+                                             {100, 0, 0},
+                                             {100, 45, 0},
+                                             {90, 45, 0},
+                                             {90, 44.95, 0},
+                                             {10, 44.95, 0},
+                                             {10, 45, 0},
+                                             {0, 45, 0}});
+    const TopoDS_Face upper = test::polygon({{0, 45, 0},
+                                             {10, 45, 0},
+                                             {10, 45.05, 0},
+                                             {90, 45.05, 0},
+                                             {90, 45, 0},
+                                             {100, 45, 0},
+                                             {100, 90, 0},
+                                             {0, 90, 0}});
+    const SewnShape sewn = sew(test::compound_of({lower, upper}));
+    EXPECT_EQ(sewn.free_edges_before - sewn.free_edges_after, 4);
+    EXPECT_LT(sewn.tolerance, 0.05);
+}
+
+TEST(SewLoose, KeepsANarrowHoleOfASolid) {
+    const TopoDS_Shape box = BRepPrimAPI_MakeBox(40.0, 30.0, 20.0).Shape();
+    const TopoDS_Shape tool = BRepPrimAPI_MakeBox(gp_Pnt(5, 10, 15), gp_Pnt(30, 10.5, 21)).Shape();
+    const TopoDS_Shape pocketed = BRepAlgoAPI_Cut(box, tool).Shape();
+    const std::vector<TopoDS_Face> faces = occ::faces_of(pocketed);
+    std::vector<TopoDS_Shape> outside;  // without the pocket's walls and bottom
+    for (const TopoDS_Face& face : faces) {
+        GProp_GProps properties;
+        BRepGProp::SurfaceProperties(face, properties);
+        const gp_Pnt c = properties.CentreOfMass();
+        const bool inner = c.Z() > 14.9 && c.Z() < 19.9 && c.X() > 4.9 && c.X() < 30.1 &&
+                           c.Y() > 9.9 && c.Y() < 10.6;
+        if (!inner) {
+            outside.push_back(face);
+        }
+    }
+    ASSERT_EQ(outside.size(), 6U);
+    const SewnShape sewn = sew(test::loosened(test::compound_of(outside)));
+    EXPECT_EQ(census(sewn.shape), (Census{{"hole", 4}}));
+}
+
+TEST(SewLoose, KeepsTheWallsOfAThinPlateApart) {
+    const TopoDS_Shape plate = BRepPrimAPI_MakeBox(100.0, 80.0, 0.1).Shape();
+    expect_sewn_as(plate, sew(test::loosened(plate)));
+}
+
+TEST(SewLoose, ClosesAFaceOnItselfAndToItsLids) {
+    const TopoDS_Shape cylinder = BRepPrimAPI_MakeCylinder(2.0, 5.0).Shape();
+    expect_sewn_as(cylinder, sew(test::loosened(cylinder)));
+}
+
+TEST(SewLoose, LeavesConnectedShellsUntouched) {
+    const TopoDS_Shell open =
+        test::without_faces(BRepPrimAPI_MakeBox(10.0, 20.0, 30.0).Shape(), {1});
+    gp_Trsf aside;
+    aside.SetTranslation(gp_Vec(50.0, 0.0, 0.0));
+    const TopoDS_Compound loose =
+        test::loosened(BRepPrimAPI_MakeBox(10.0, 20.0, 30.0).Shape().Moved(TopLoc_Location(aside)));
+    const SewnShape sewn = sew(test::compound_of({open, loose}));
+    EXPECT_TRUE(sewn.changed);
+    EXPECT_EQ(census(sewn.shape), (Census{{"hole", 4}}));
+    TopTools_IndexedMapOfShape shells;
+    TopExp::MapShapes(sewn.shape, TopAbs_SHELL, shells);
+    EXPECT_TRUE(shells.Contains(open));
+    EXPECT_EQ(shells.Extent(), 2);
+}
+
+TEST(SewLoose, GivesBackWhatHasNoLooseFaces) {
+    const TopoDS_Shape box = BRepPrimAPI_MakeBox(10.0, 20.0, 30.0).Shape();
+    const SewnShape sewn = sew(box);
+    EXPECT_FALSE(sewn.changed);
+    EXPECT_TRUE(sewn.shape.IsEqual(box));
+    EXPECT_EQ(sewn.loose_faces, 0);
+}
+
+TEST(SewLoose, SewsTheFacesOfEachCompoundByThemselves) {
+    const TopoDS_Shape left = BRepPrimAPI_MakeBox(gp_Pnt(0, 0, 0), gp_Pnt(4, 3, 2)).Shape();
+    const TopoDS_Shape right = BRepPrimAPI_MakeBox(gp_Pnt(4, 0, 0), gp_Pnt(9, 3, 2)).Shape();
+    const SewnShape sewn = sew(test::compound_of({test::loosened(left), test::loosened(right)}));
+    EXPECT_EQ(sewn.free_edges_after, 0);
+    TopTools_IndexedMapOfShape shells;
+    TopExp::MapShapes(sewn.shape, TopAbs_SHELL, shells);
+    EXPECT_EQ(shells.Extent(), 2);
+    EXPECT_NEAR(volume(sewn.shape), 9.0 * 3.0 * 2.0, 1e-9);
+}
+
+TEST(SewLoose, SewsAcrossCompoundsWhatIsStillOpen) {
+    const TopoDS_Shape box = BRepPrimAPI_MakeBox(10.0, 20.0, 30.0).Shape();
+    const std::vector<TopoDS_Face> faces = occ::faces_of(test::loosened(box));
+    const SewnShape sewn =
+        sew(test::compound_of({test::compound_of({faces[0], faces[1], faces[2]}),
+                               test::compound_of({faces[3], faces[4], faces[5]})}));
+    expect_sewn_as(box, sewn);
+}
+
+TEST(SewLoose, RefusesImpossibleTolerances) {
+    const TopoDS_Shape box = BRepPrimAPI_MakeBox(1.0, 2.0, 3.0).Shape();
+    for (const double tolerance : {-1.0, std::numeric_limits<double>::quiet_NaN(),
+                                   std::numeric_limits<double>::infinity()}) {
+        const auto result = sew_loose(box, tolerance);
+        ASSERT_FALSE(result.has_value());
+        EXPECT_EQ(result.error().code, ErrorCode::Usage);
+    }
+    EXPECT_FALSE(sew_loose(TopoDS_Shape(), 0.0).has_value());
+}
+
+}  // namespace
+}  // namespace suture
