@@ -1,74 +1,18 @@
 #include "files/document.h"
+#include "files/look.h"
 #include "files/model_file.h"
 
 #include <BRep_Builder.hxx>
-#include <Quantity_ColorRGBA.hxx>
-#include <TColStd_HSequenceOfExtendedString.hxx>
 #include <TopExp.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS_Compound.hxx>
 
 #include <algorithm>
-#include <array>
 #include <map>
-#include <optional>
 
 namespace suture::io {
 
 namespace {
-
-constexpr std::array kColourTypes{XCAFDoc_ColorGen, XCAFDoc_ColorSurf, XCAFDoc_ColorCurv};
-
-/// What a file says of a shape besides its geometry.
-struct Look {
-    std::string name;
-    std::array<std::optional<Quantity_ColorRGBA>, kColourTypes.size()> colours;
-    occ::Handle<TColStd_HSequenceOfExtendedString> layers;
-};
-
-class Looks {
-  public:
-    explicit Looks(const Document& document)
-        : colours_(colours_of(document)), layers_(layers_of(document)) {}
-
-    /// What stands at `label`, over what is inherited.
-    [[nodiscard]] Look of(const TDF_Label& label, Look inherited) const {
-        if (std::string name = name_of(label); !name.empty()) {
-            inherited.name = std::move(name);
-        }
-        for (std::size_t i = 0; i < kColourTypes.size(); ++i) {
-            Quantity_ColorRGBA colour;
-            if (colours_->GetColor(label, kColourTypes[i], colour)) {
-                inherited.colours[i] = colour;
-            }
-        }
-        occ::Handle<TColStd_HSequenceOfExtendedString> layers;
-        if (layers_->GetLayers(label, layers) && !layers->IsEmpty()) {
-            inherited.layers = layers;
-        }
-        return inherited;
-    }
-
-    void set(const TDF_Label& label, const Look& look) const {
-        if (!look.name.empty()) {
-            set_name(label, look.name);
-        }
-        for (std::size_t i = 0; i < kColourTypes.size(); ++i) {
-            if (look.colours[i]) {
-                colours_->SetColor(label, *look.colours[i], kColourTypes[i]);
-            }
-        }
-        if (!look.layers.IsNull()) {
-            for (const TCollection_ExtendedString& layer : *look.layers) {
-                layers_->SetLayer(label, layer);
-            }
-        }
-    }
-
-  private:
-    occ::Handle<XCAFDoc_ColorTool> colours_;
-    occ::Handle<XCAFDoc_LayerTool> layers_;
-};
 
 /// Whether there is no solid and no shell of two faces or more.
 bool is_loose(const TopoDS_Shape& shape) {

@@ -3,6 +3,7 @@
 #include "files/brep.h"
 #include "files/document.h"
 #include "files/file_bytes.h"
+#include "files/join_bodies.h"
 #include "files/read_iges.h"
 #include "files/read_step.h"
 #include "suture/occ/guard.h"
@@ -18,8 +19,7 @@ Result<void> read_brep(ModelFile& model, const std::string& bytes) {
     if (!shape) {
         return tl::unexpected(shape.error());
     }
-    const TDF_Label part = shapes_of(model.document)->AddShape(*shape, false);
-    set_name(referred(part), model.path.stem().string());
+    shapes_of(model.document)->AddShape(*shape, false);
     return {};
 }
 
@@ -47,19 +47,24 @@ Error unreadable(const Error& error, const std::filesystem::path& file) {
 
 Result<ModelFile> read_model(const std::filesystem::path& file, const Progress& progress) {
     progress(0.0, "read");
+    const Result<Format> format = format_of_content(file);
+    if (!format) {
+        return tl::unexpected(format.error());
+    }
+    const Result<std::string> bytes = read_bytes(file);
+    if (!bytes) {
+        return tl::unexpected(bytes.error());
+    }
     ModelFile model;
     model.path = file;
-    const Result<void> done = format_of_content(file)
-                                  .and_then([&](Format format) {
-                                      model.format = format;
-                                      return read_bytes(file);
-                                  })
-                                  .and_then([&](const std::string& bytes) {
-                                      return occ::guarded("reading", [&] {
-                                          model.document = make_document();
-                                          return read_into(model, bytes, progress);
-                                      });
-                                  });
+    model.format = *format;
+    const Result<void> done = occ::guarded("reading", [&]() -> Result<void> {
+        model.document = make_document();
+        return read_into(model, *bytes, progress).map([&] {
+            join_bodies(model.document);
+            name_parts(model.document, file.stem().string());
+        });
+    });
     if (progress.cancelled()) {
         return fail(ErrorCode::Cancelled, "reading {} was stopped", file.string());
     }

@@ -35,6 +35,11 @@ Result<void> write_iges(const ModelFile& model, const std::string& name, std::os
               model.origin.authors.empty() ? "" : model.origin.authors.front().c_str());
     scope.set("write.iges.header.company",
               model.origin.organizations.empty() ? "" : model.origin.organizations.front().c_str());
+    if (model.precision > 0.0) {
+        constexpr int kUseGivenValue = 2;
+        scope.set("write.precision.mode", kUseGivenValue);
+        scope.set("write.precision.val", model.precision);
+    }
     IGESCAFControl_Writer writer;
     if (!writer.Transfer(model.document)) {
         return fail(ErrorCode::Internal, "OCCT cannot write the model as IGES{}{}",
