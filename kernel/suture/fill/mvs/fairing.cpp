@@ -15,7 +15,7 @@ constexpr int kLeastSpans = 4;
 // Room around the layout: trimming curves on the border of the box would not survive rounding.
 constexpr double kMargin = 0.05;
 // Poles in one direction at most.
-constexpr int kMostPoles = 36;
+constexpr int kMostPoles = 38;
 constexpr int kLevels = 6;
 // Samples a span, and on a side at least; as many again, and more, to measure between them.
 constexpr double kSamplesPerSpan = 5.0;
@@ -31,7 +31,7 @@ constexpr double kMostGap = 1e-5;
 constexpr double kAnglePart = 0.1;
 constexpr double kCurvaturePart = 0.25;
 // A level that brings the worst sample less than this factor nearer was the last one.
-constexpr double kProgress = 0.7;
+constexpr double kProgress = 0.9;
 // Spans are halved where a sample misses its goal, and by this part of the worst miss.
 constexpr double kMarked = 0.05;
 
@@ -40,6 +40,10 @@ constexpr double kMarked = 0.05;
 constexpr Weights kRough = {1e-6, 1.0, 1e-8, 0.03, 1e-3};
 constexpr Weights kExact = {1e-8, 1e-6, 1e-8, 0.03, 1e-3};
 constexpr Weights kFine = {1e-10, 1e-6, 1e-8, 0.03, 1e-3};
+// The energy's weight falls with every level: what misses the boundary last are corners at which
+// the energy would like to round the neighbours' disagreement. Less than the least is rounding.
+constexpr double kEnergyFactor = 0.1;
+constexpr double kLeastEnergy = 1e-13;
 constexpr SolverOptions kRoughSteps = {5, 3e-3, 1e-2};
 constexpr SolverOptions kExactSteps = {5, 1e-5, 1e-1};
 constexpr SolverOptions kFineSteps = {3, 3e-6, 1e-1};
@@ -174,19 +178,26 @@ Result<Fairing> Levels::run() {
     first.set_weights(kExact);
     solve(first, kExactSteps);
     measure();
-    double before = missed_by_;
+    Weights weights = kFine;
     for (int level = 1; level < kLevels && missed_by_ > 1.0; ++level) {
         options_.progress(static_cast<double>(level) / kLevels, "fairing");
+        const Net coarser = net_;
+        const double before = missed_by_;
         if (!refine()) {
             break;
         }
         sample_densely();
-        solve(system(kFine), kFineSteps);
+        solve(system(weights), kFineSteps);
         measure();
+        if (missed_by_ > before) {
+            net_ = coarser;
+            measure();
+            break;
+        }
         if (missed_by_ > kProgress * before) {
             break;
         }
-        before = missed_by_;
+        weights.energy = std::max(kEnergyFactor * weights.energy, kLeastEnergy);
     }
     if (options_.progress.cancelled()) {
         return fail(ErrorCode::Cancelled, "cancelled after {} steps", steps_);
