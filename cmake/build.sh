@@ -13,6 +13,9 @@ mkdir -p "$out"
 exec 9>"$out/lock"
 flock 9 # two first uses at once: the second waits, and then has nothing to do
 
+# Paths inside the project count relative to it: another checkout finds what this one compiled.
+export CCACHE_BASEDIR="$root" CCACHE_NOHASHDIR=1
+
 touch "$out/built.new"
 fresh=
 if [ -f "$out/CMakeCache.txt" ] &&
