@@ -123,6 +123,7 @@ double choose_tolerance(const std::vector<EdgePartner>& partners, double model_d
 Result<std::vector<LooseFace>> sew_groups(const std::vector<LooseFace>& faces, double tolerance) {
     std::vector<LooseFace> result = faces;
     std::vector<int> groups;
+    groups.reserve(faces.size());
     for (const LooseFace& face : faces) {
         groups.push_back(face.group);
     }
@@ -259,6 +260,7 @@ double largest_closed_gap(const ShellGraph& before, const Loose& loose,
                           const std::vector<LooseFace>& sewn) {
     const ShellGraph after = make_shell_graph(compound_of(sewn));
     std::vector<TopoDS_Edge> edges;
+    edges.reserve(after.uses.size());
     for (const EdgeUse& use : after.uses) {
         edges.push_back(use.edge);
     }
@@ -305,6 +307,7 @@ Result<SewnShape> sew(const TopoDS_Shape& shape, double tolerance) {
         return tl::unexpected(sewn.error());
     }
     std::vector<TopoDS_Face> faces;
+    faces.reserve(sewn->size());
     for (const LooseFace& face : *sewn) {
         faces.push_back(face.face);
     }

@@ -255,6 +255,26 @@ TEST(FindLoops, TakesInternalEdgesAndSeamsForNoFreeOnes) {
     EXPECT_EQ(census(test::shell_of({scored})), (Census{{"rim", 4}}));
 }
 
+TEST(FindLoops, TakesASeamUsedOnceForNoFreeEdge) {
+    const TopoDS_Shape cylinder = BRepPrimAPI_MakeCylinder(2.0, 5.0).Shape();
+    const TopoDS_Face side = occ::faces_of(cylinder)[face_with_edges(cylinder, 3) - 1];
+    BRep_Builder builder;
+    TopoDS_Wire wire;
+    builder.MakeWire(wire);
+    bool seam_used = false;
+    for (TopExp_Explorer it(side.Oriented(TopAbs_FORWARD), TopAbs_EDGE); it.More(); it.Next()) {
+        const bool seam = BRep_Tool::IsClosed(TopoDS::Edge(it.Current()), side);
+        if (!seam || !seam_used) {
+            builder.Add(wire, it.Current());
+        }
+        seam_used = seam_used || seam;
+    }
+    const TopoDS_Shape copy = side.EmptyCopied();
+    TopoDS_Face half = TopoDS::Face(copy);
+    builder.Add(half, wire);
+    EXPECT_EQ(census(test::shell_of({half})), (Census{{"hole", 1}, {"hole", 1}}));
+}
+
 TEST(FindLoops, CallsTwoEdgesOnEachOtherInOneFaceASlit) {
     const TopoDS_Vertex a = BRepBuilderAPI_MakeVertex(gp_Pnt(1, 1, 0));
     const TopoDS_Vertex b = BRepBuilderAPI_MakeVertex(gp_Pnt(3, 2, 0));

@@ -92,6 +92,24 @@ TEST(Islands, AreTheCirclesOfAMissingBandWhereDiscsWouldFoldBack) {
     expect_one_face(loops);
 }
 
+TEST(Islands, AreNotTheEndsOfOneDuctInsideAnother) {
+    const auto duct = [](double radius) {
+        const TopoDS_Shape rod = cylinder(radius, 0, 20);
+        std::vector<TopoDS_Face> side;
+        for (const TopoDS_Face& face : occ::faces_of(rod)) {
+            if (is_cylinder_of(BRepAdaptor_Surface(face), radius)) {
+                side.push_back(face);
+            }
+        }
+        return test::shell_of(side);
+    };
+    const auto loops = loops_of(test::compound_of({duct(5), duct(3)}));
+    EXPECT_EQ(census(loops), (Census{{"hole", 1}, {"hole", 1}, {"hole", 1}, {"hole", 1}}));
+    for (const BoundaryLoop& loop : loops) {
+        EXPECT_TRUE(loop.islands_with.empty());
+    }
+}
+
 TEST(Islands, AreOpenToDoubtBetweenTwoShells) {
     const auto loops = loops_of(without(
         cylinder(4, 0, 30), [](const auto& surface) { return is_cylinder_of(surface, 4.0); }));

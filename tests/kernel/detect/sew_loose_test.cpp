@@ -1,6 +1,9 @@
 #include "suture/detect/sew_loose.h"
 
+#include "suture/base/tolerance.h"
+#include "suture/detect/sew_faces.h"
 #include "suture/detect/shell_graph.h"
+#include "suture/occ/handle.h"
 
 #include "kernel/detect/shapes.h"
 
@@ -8,7 +11,10 @@
 #include <BRepGProp.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
+#include <GC_MakeArcOfCircle.hxx>
 #include <GProp_GProps.hxx>
+#include <Geom_TrimmedCurve.hxx>
+#include <gp_Circ.hxx>
 
 #include <cmath>
 #include <limits>
@@ -149,6 +155,59 @@ TEST(SewLoose, KeepsANarrowSlotBetweenTwoFaces) {
     const SewnShape sewn = sew(test::compound_of({lower, upper}));
     EXPECT_EQ(sewn.free_edges_before - sewn.free_edges_after, 4);
     EXPECT_LT(sewn.tolerance, 0.05);
+}
+
+/// Two sheets with a gap of 0.08 along an edge of 100 between them.
+std::vector<TopoDS_Shape> sheets_with_gap() {
+    return {test::polygon({{0, 0, 0}, {100, 0, 0}, {100, 45, 0}, {0, 45, 0}}),
+            test::polygon({{0, 45.08, 0}, {100, 45.08, 0}, {100, 90, 0}, {0, 90, 0}})};
+}
+
+TEST(SewLoose, ClosesAGapThatNoFeatureForbids) {
+    const SewnShape sewn = sew(test::compound_of(sheets_with_gap()));
+    EXPECT_EQ(sewn.free_edges_after, 6);
+    EXPECT_NEAR(sewn.largest_gap, 0.08, 1e-9);
+}
+
+TEST(SewLoose, StaysBelowTheNarrowestSliver) {
+    const TopoDS_Vertex a = BRepBuilderAPI_MakeVertex(gp_Pnt(0, -50, 0));
+    const TopoDS_Vertex b = BRepBuilderAPI_MakeVertex(gp_Pnt(100, -50, 0));
+    const occ::Handle<Geom_TrimmedCurve> arc =
+        GC_MakeArcOfCircle(gp_Pnt(0, -50, 0), gp_Pnt(50, -50.1, 0), gp_Pnt(100, -50, 0)).Value();
+    const TopoDS_Face sliver =
+        BRepBuilderAPI_MakeFace(BRepBuilderAPI_MakeWire(BRepBuilderAPI_MakeEdge(arc, a, b).Edge(),
+                                                        BRepBuilderAPI_MakeEdge(b, a).Edge())
+                                    .Wire());
+    std::vector<TopoDS_Shape> parts = sheets_with_gap();
+    parts.push_back(sliver);
+    const SewnShape sewn = sew(test::compound_of(parts));
+    EXPECT_LE(sewn.tolerance, 0.1 / 4.0);
+    EXPECT_FALSE(sewn.changed);
+}
+
+TEST(SewLoose, StaysBelowTheShortestEdge) {
+    std::vector<TopoDS_Shape> parts = sheets_with_gap();
+    const TopoDS_Edge pinprick =
+        BRepBuilderAPI_MakeEdge(gp_Circ(gp_Ax2(gp_Pnt(20, 20, 0), gp_Dir(0, 0, -1)), 0.01));
+    parts[0] =
+        BRepBuilderAPI_MakeFace(TopoDS::Face(parts[0]), BRepBuilderAPI_MakeWire(pinprick).Wire())
+            .Face();
+    const SewnShape sewn = sew(test::compound_of(parts));
+    EXPECT_LE(sewn.tolerance, 2.0 * kPi * 0.01 / 4.0 * 1.01);
+    EXPECT_FALSE(sewn.changed);
+}
+
+TEST(MakeShells, TurnsFacesThatDisagree) {
+    const TopoDS_Shape box = BRepPrimAPI_MakeBox(10.0, 20.0, 30.0).Shape();
+    std::vector<TopoDS_Face> faces = occ::faces_of(box);
+    for (const int turned : {0, 2, 3, 5}) {
+        faces[turned] = TopoDS::Face(faces[turned].Reversed());
+    }
+    const auto shells = make_shells(faces);
+    ASSERT_TRUE(shells.has_value());
+    ASSERT_EQ(shells->size(), 1U);
+    EXPECT_NEAR(volume(shells->front().shell), 6000.0, 1e-6);
+    EXPECT_EQ(shells->front().members.size(), 6U);
 }
 
 TEST(SewLoose, KeepsANarrowHoleOfASolid) {

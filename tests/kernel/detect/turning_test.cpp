@@ -3,6 +3,7 @@
 
 #include "kernel/detect/shapes.h"
 
+#include <BRepAdaptor_Surface.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCone.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
@@ -63,12 +64,56 @@ TEST(Turning, SumsToGaussBonnetWhereHolesTouch) {
     EXPECT_NEAR(sum, 2.0 * kPi * (1 - 2), 1e-9);
 }
 
+TEST(Turning, IsSharedByLoopsThatTouchInAVertexOfABody) {
+    test::PolygonMesh mesh({{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}, {0, 0, 1.5}});
+    const ShellGraph graph = make_shell_graph(
+        test::shell_of({mesh.face({3, 2, 1, 0}), mesh.face({0, 1, 4}), mesh.face({2, 3, 4})}));
+    const std::vector<RawLoop> loops = walk_loops(graph);
+    ASSERT_EQ(loops.size(), 2U);
+    // base and flaps are a disc, 2 pi; the touching vertex takes 2 pi away; both are alike
+    for (const RawLoop& loop : loops) {
+        EXPECT_NEAR(measure_loop(graph, loop).turning, 0.0, 1e-9);
+    }
+}
+
+TEST(Turning, CountsTheAngleAtAPole) {
+    for (const double degrees_of_longitude : {50.0, 90.0, 200.0}) {
+        const double width = radians(degrees_of_longitude);
+        const TopoDS_Shape wedge =
+            BRepPrimAPI_MakeSphere(gp_Ax2(), 3.0, 0.0, 0.5 * kPi, width).Shape();
+        for (const TopoDS_Face& face : occ::faces_of(wedge)) {
+            if (BRepAdaptor_Surface(face).GetType() == GeomAbs_Sphere) {
+                EXPECT_NEAR(turning(test::shell_of({face})), 2.0 * kPi - width, 2e-2);
+            }
+        }
+    }
+}
+
+TEST(Turning, CountsTheAngleAtTheTipOfACone) {
+    // a sector of a flat disc, rolled up
+    const TopoDS_Shape cone = BRepPrimAPI_MakeCone(2.0, 0.0, 4.0, radians(300.0)).Shape();
+    for (const TopoDS_Face& face : occ::faces_of(cone)) {
+        if (BRepAdaptor_Surface(face).GetType() == GeomAbs_Cone) {
+            EXPECT_NEAR(turning(test::shell_of({face})), 2.0 * kPi, 2e-2);
+        }
+    }
+}
+
 TEST(Turning, DoesNotDependOnHowTheFileTurnsTheFaces) {
-    const TopoDS_Shape box = BRepPrimAPI_MakeBox(1.0, 2.0, 3.0).Shape();
-    const std::vector<TopoDS_Face> faces = occ::faces_of(box);
-    const TopoDS_Face turned = TopoDS::Face(faces[3].Reversed());
-    EXPECT_NEAR(turning(test::shell_of({faces[0], turned})),
-                turning(test::shell_of({faces[0], faces[3]})), 1e-12);
+    const TopoDS_Shape bucket = BRepPrimAPI_MakeCone(2.0, 5.0, 4.0).Shape();
+    TopoDS_Face floor;
+    TopoDS_Face wall;
+    for (const TopoDS_Face& face : occ::faces_of(bucket)) {
+        const BRepAdaptor_Surface surface(face);
+        if (surface.GetType() == GeomAbs_Cone) {
+            wall = face;
+        } else if (surface.Plane().Location().Z() < 1.0) {
+            floor = face;
+        }
+    }
+    const double expected = 2.0 * kPi * 3.0 / 5.0;
+    EXPECT_NEAR(turning(test::shell_of({floor, wall})), expected, 2e-2);
+    EXPECT_NEAR(turning(test::shell_of({floor, TopoDS::Face(wall.Reversed())})), expected, 2e-2);
 }
 
 }  // namespace
