@@ -5,6 +5,7 @@
 
 #include <Eigen/Geometry>
 
+#include <BRepTools.hxx>
 #include <BRep_Tool.hxx>
 
 #include <cmath>
@@ -23,7 +24,8 @@ constexpr double kCusp = 1e-4;
 }  // namespace
 
 UseGeometry::UseGeometry(const TopoDS_Edge& edge, const TopoDS_Face& face)
-    : surface_(face, Standard_False),
+    : face_(face),
+      surface_(face, Standard_False),
       pcurve_(BRep_Tool::CurveOnSurface(edge, face, first_, last_)),
       reversed_edge_(edge.Orientation() == TopAbs_REVERSED),
       reversed_face_(face.Orientation() == TopAbs_REVERSED) {}
@@ -36,14 +38,18 @@ Eigen::Vector2d UseGeometry::uv(double t) const {
     return occ::from_occ(pcurve_->Value(first_ + s * (last_ - first_)));
 }
 
+Eigen::AlignedBox2d UseGeometry::bounds() const {
+    Eigen::AlignedBox2d box(Eigen::Vector2d::Zero(), Eigen::Vector2d::Zero());
+    BRepTools::UVBounds(face_, box.min().x(), box.max().x(), box.min().y(), box.max().y());
+    return box;
+}
+
 UsePoint UseGeometry::at(double t) const {
     const Eigen::Vector2d at_uv = uv(t);
     return {occ::from_occ(surface_.Value(at_uv.x(), at_uv.y())), normal_at(at_uv)};
 }
 
 Eigen::Vector3d UseGeometry::normal_at(const Eigen::Vector2d& uv) const {
-    const Eigen::Vector2d low(surface_.FirstUParameter(), surface_.FirstVParameter());
-    const Eigen::Vector2d high(surface_.LastUParameter(), surface_.LastVParameter());
     Eigen::Vector2d at_uv = uv;
     for (int attempt = 0; attempt < 2; ++attempt) {
         gp_Pnt p;
@@ -55,15 +61,13 @@ Eigen::Vector3d UseGeometry::normal_at(const Eigen::Vector2d& uv) const {
         if (n.Magnitude() > 1e-9 * du.Magnitude() * dv.Magnitude()) {
             return (reversed_face_ ? -1.0 : 1.0) * occ::from_occ(n).normalized();
         }
-        const Eigen::Vector2d middle = 0.5 * (low + high);
-        at_uv += kStepInside * (middle - at_uv);
+        at_uv += kStepInside * (bounds().center() - at_uv);
     }
     return Eigen::Vector3d::Zero();
 }
 
 double UseGeometry::degenerated_angle() const {
-    const Eigen::Vector2d extent(surface_.LastUParameter() - surface_.FirstUParameter(),
-                                 surface_.LastVParameter() - surface_.FirstVParameter());
+    const Eigen::Vector2d extent = bounds().sizes();
     const Eigen::Vector3d apex = at(0.0).point;
     const double side = reversed_face_ ? -1.0 : 1.0;
     double angle = 0.0;

@@ -3,6 +3,7 @@
 #include "suture/occ/handle.h"
 
 #include <Eigen/Core>
+#include <Eigen/Geometry>
 
 #include <BRepAdaptor_Surface.hxx>
 #include <Geom2d_Curve.hxx>
@@ -35,6 +36,10 @@ class UseGeometry {
   private:
     [[nodiscard]] Eigen::Vector3d normal_at(const Eigen::Vector2d& uv) const;
 
+    /// The face's parameter range; unlike the surface's it is never infinite.
+    [[nodiscard]] Eigen::AlignedBox2d bounds() const;
+
+    TopoDS_Face face_;
     BRepAdaptor_Surface surface_;
     double first_ = 0.0;  // before pcurve_, whose making sets them
     double last_ = 0.0;
