@@ -98,7 +98,7 @@ class TemporaryFile : public std::streambuf {
 /// The file that is to be replaced, with links followed, if writing there makes sense at all.
 Result<fs::path> target_of(const fs::path& file) {
     std::error_code error;
-    fs::path target = fs::weakly_canonical(file, error);
+    fs::path target = fs::weakly_canonical(fs::absolute(file, error), error);
     if (error) {
         return fail(ErrorCode::WriteFailed, "{} cannot be written: {}", file.string(),
                     error.message());
