@@ -20,6 +20,9 @@ constexpr int kSamples = 32;
 /// this: 10 degrees keeps the parametrisation within a factor of six.
 constexpr double kPoleDistance = radians(10.0);
 
+/// Weights at both ends of a closed B-spline that differ by rounding only.
+constexpr double kSameWeight = 1e-12;
+
 /// The angle nearest to `centre` among angle + 2 pi k.
 double near(double angle, double centre) {
     return centre + std::remainder(angle - centre, 2.0 * kPi);
@@ -215,7 +218,8 @@ Vector2d periods_of(const SplineSurface& spline, double distance) {
     const int nv = spline.count_v();
     const auto apart = [&](int a, int b) {
         return (spline.poles.col(a) - spline.poles.col(b)).norm() > distance ||
-               (spline.rational() && spline.weights[a] != spline.weights[b]);
+               (spline.rational() &&
+                std::abs(spline.weights[a] - spline.weights[b]) > kSameWeight * spline.weights[a]);
     };
     bool closed_u = true;
     bool closed_v = true;

@@ -117,7 +117,10 @@ SplineSurface from_occ(const Handle<Geom_BSplineSurface>& given) {
             }
         }
     }
-    return result;
+    // What was periodic has single knots beyond its ends; we want them all at the ends.
+    const double u = result.knots_u[static_cast<std::size_t>(result.degree_u)];
+    const double v = result.knots_v[static_cast<std::size_t>(result.degree_v)];
+    return extended(result, u, u, v, v);
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include "suture/ribbon/extract.h"
 
+#include "suture/base/tolerance.h"
 #include "suture/occ/convert.h"
 #include "suture/occ/guard.h"
 
@@ -16,8 +17,6 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
-#include <numbers>
-
 namespace suture {
 namespace {
 
@@ -264,6 +263,32 @@ Result<Hole> extract(const std::vector<BoundaryLoop>& loops) {
     return hole;
 }
 
+/// Twice the area that a loop encloses, as a vector along its outward side.
+Vector3d area_vector(const RibbonLoop& loop) {
+    const Vector3d origin = loop.ribbons.front().at(0.0).point;
+    Vector3d area = Vector3d::Zero();
+    for (const Ribbon& ribbon : loop.ribbons) {
+        for (int k = 0; k < kBoxSamples; ++k) {
+            const Vector3d a = ribbon.at(static_cast<double>(k) / kBoxSamples).point - origin;
+            const Vector3d b = ribbon.at(static_cast<double>(k + 1) / kBoxSamples).point - origin;
+            area += a.cross(b);
+        }
+    }
+    return area;
+}
+
+/// The angle by which the loop turns left at a corner, in (-pi, pi]. Left is seen against the
+/// neighbours' mean normal, or, where these stand across the loop (the walls of a box), against the
+/// side on which the whole loop is walked counterclockwise.
+double turning(const RibbonPoint& a, const RibbonPoint& b, const Vector3d& overall) {
+    const Vector3d axis = a.tangent.cross(b.tangent);
+    const double angle = std::atan2(axis.norm(), a.tangent.dot(b.tangent));
+    const double local = axis.dot((a.normal + b.normal).normalized());
+    const double global = axis.dot(overall.normalized());
+    const double left = std::abs(local) >= std::abs(global) ? local : global;
+    return left < 0.0 ? -angle : angle;
+}
+
 }  // namespace
 
 Result<Hole> extract_hole(const std::vector<BoundaryLoop>& loops) {
@@ -271,6 +296,7 @@ Result<Hole> extract_hole(const std::vector<BoundaryLoop>& loops) {
 }
 
 std::vector<Corner> corners_of(const RibbonLoop& loop) {
+    const Vector3d overall = area_vector(loop);
     std::vector<Corner> corners;
     const std::size_t n = loop.ribbons.size();
     for (std::size_t i = 0; i < n; ++i) {
@@ -278,12 +304,9 @@ std::vector<Corner> corners_of(const RibbonLoop& loop) {
         const Ribbon& after = loop.ribbons[i];
         const RibbonPoint a = before.at(1.0);
         const RibbonPoint b = after.at(0.0);
-        const Vector3d mean = (a.normal + b.normal).normalized();
-        const double turning =
-            std::atan2(mean.dot(a.tangent.cross(b.tangent)), a.tangent.dot(b.tangent));
         Corner corner;
         corner.point = 0.5 * (a.point + b.point);
-        corner.angle = std::numbers::pi - turning;
+        corner.angle = kPi - turning(a, b, overall);
         corner.normal_mismatch =
             std::atan2(a.normal.cross(b.normal).norm(), a.normal.dot(b.normal));
         corner.face_before = before.face;

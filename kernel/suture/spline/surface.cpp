@@ -55,7 +55,9 @@ Row extend_row(const Row& row, int degree, double from, double to) {
     const auto arguments = [&](const std::vector<double>& knots, int i) {
         return std::vector<double>(knots.begin() + i + 1, knots.begin() + i + 1 + degree);
     };
-    if (from < row.knots[static_cast<std::size_t>(degree)]) {
+    from = std::min(from, row.knots[static_cast<std::size_t>(degree)]);
+    to = std::max(to, row.knots[static_cast<std::size_t>(count)]);
+    if (from < row.knots[static_cast<std::size_t>(degree)] || from > row.knots.front()) {
         const int span = find_span(row.knots, degree, from);
         for (int i = 0; i <= degree; ++i) {
             result.knots[static_cast<std::size_t>(i)] = from;
@@ -65,7 +67,7 @@ Row extend_row(const Row& row, int degree, double from, double to) {
                 blossom(row.knots, degree, span, slice(span), arguments(result.knots, i));
         }
     }
-    if (to > row.knots[static_cast<std::size_t>(count)]) {
+    if (to > row.knots[static_cast<std::size_t>(count)] || to < row.knots.back()) {
         const int span = find_span(row.knots, degree, to);
         for (int i = 0; i <= degree; ++i) {
             result.knots[static_cast<std::size_t>(count + i)] = to;

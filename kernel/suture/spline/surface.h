@@ -43,7 +43,8 @@ struct SurfaceJet {
 [[nodiscard]] SurfaceJet evaluate(const SplineSurface& surface, double u, double v);
 
 /// The same surface on a domain that contains [u0,u1] x [v0,v1]: the outermost spans' polynomials
-/// go on, exactly (blossoming). Bounds inside the old domain leave that side as it is.
+/// go on, exactly (blossoming). Bounds inside the old domain leave that side where it is. The knots
+/// at the ends of the result have multiplicity degree + 1.
 [[nodiscard]] SplineSurface extended(const SplineSurface& surface, double u0, double u1, double v0,
                                      double v1);
 

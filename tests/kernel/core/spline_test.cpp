@@ -116,6 +116,17 @@ TEST_P(SplineSurfaceTest, ExtendedToItsOwnDomainIsTheSameToTheBit) {
     EXPECT_LT((same.poles - s.poles).norm(), 1e-14);
 }
 
+TEST_P(SplineSurfaceTest, ExtendedPutsLooseEndKnotsToTheEnds) {
+    SplineSurface s = random_surface(GetParam(), 7);
+    s.knots_u = {-1, -0.5, -0.2, -0.1, 0, 0.3, 0.3, 2, 2.1, 2.5, 3, 4};
+    const SplineSurface clamped = extended(s, 0.0, 0.0, 0.0, 0.0);
+    EXPECT_EQ(clamped.knots_u.front(), 0.0);
+    EXPECT_EQ(clamped.knots_u.back(), 2.0);
+    for (double u = 0.0; u <= 2.0; u += 0.05) {
+        EXPECT_LT((evaluate(clamped, u, 0.2).point - evaluate(s, u, 0.2).point).norm(), 1e-12);
+    }
+}
+
 TEST_P(SplineSurfaceTest, TransposedExchangesUAndV) {
     const SplineSurface s = random_surface(GetParam(), 5);
     const SplineSurface t = transposed(s);
