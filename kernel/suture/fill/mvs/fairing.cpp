@@ -9,8 +9,12 @@
 namespace suture::mvs {
 namespace {
 
-// The first net: spans along the longer side of the box, and at least across it.
+// The first net: spans along the longer side of the box, and at least across it. Where the surface
+// found from it misses a neighbour by the poor angle, the hole has features smaller than a span,
+// and a second attempt starts from the fine one.
 constexpr int kFirstSpans = 6;
+constexpr int kFineFirstSpans = 12;
+constexpr double kPoorAngle = radians(1.0);
 constexpr int kLeastSpans = 4;
 // Room around the layout: trimming curves on the border of the box would not survive rounding.
 constexpr double kMargin = 0.05;
@@ -37,7 +41,7 @@ constexpr double kMarked = 0.05;
 
 // Rough: the flat energy holds the parametrisation, and three or four steps reach the basin of the
 // solution from anywhere. Exact: the flat energy is but a damping. Fine: the boundary decides.
-constexpr Weights kRough = {1e-6, 1.0, 1e-8, 0.03, 1e-3};
+constexpr Weights kRough = {1e-8, 1.0, 1e-8, 0.03, 1e-3};
 constexpr Weights kExact = {1e-8, 1e-6, 1e-8, 0.03, 1e-3};
 constexpr Weights kFine = {1e-10, 1e-6, 1e-8, 0.03, 1e-3};
 // The energy's weight falls with every level: what misses the boundary last are corners at which
@@ -45,7 +49,7 @@ constexpr Weights kFine = {1e-10, 1e-6, 1e-8, 0.03, 1e-3};
 constexpr double kEnergyFactor = 0.1;
 constexpr double kLeastEnergy = 1e-13;
 constexpr SolverOptions kRoughSteps = {5, 3e-3, 1e-2};
-constexpr SolverOptions kExactSteps = {5, 1e-5, 1e-1};
+constexpr SolverOptions kExactSteps = {8, 2e-6, 1e-1};
 constexpr SolverOptions kFineSteps = {3, 3e-6, 1e-1};
 
 struct Goal {
@@ -75,14 +79,14 @@ double span_size(const Net& net) {
     return size;
 }
 
-Net first_net(const Layout& layout, const Scale& scale) {
+Net first_net(const Layout& layout, const Scale& scale, int longer_spans) {
     const Eigen::Vector2d size = (layout.upper - layout.lower) / scale.length;
     const double longer = size.maxCoeff();
     const Eigen::Vector2d margin = Eigen::Vector2d::Constant(kMargin * longer);
     const Eigen::Vector2d lower = layout.lower / scale.length - margin;
     const Eigen::Vector2d upper = layout.upper / scale.length + margin;
     const auto axis = [&](int c) {
-        const int spans = static_cast<int>(std::ceil(kFirstSpans * size[c] / longer));
+        const int spans = static_cast<int>(std::ceil(longer_spans * size[c] / longer));
         return uniform_axis(lower[c], upper[c], std::max(kLeastSpans, spans));
     };
     return {axis(0), axis(1), {}};
@@ -91,13 +95,13 @@ Net first_net(const Layout& layout, const Scale& scale) {
 class Levels {
   public:
     Levels(const RibbonLoop& loop, const Layout& layout, const Scale& scale,
-           const FillOptions& options)
+           const FillOptions& options, int first_spans)
         : loop_(loop), layout_(layout), scale_(scale), options_(options) {
         const Tolerance& t = options.tolerance;
         goal_.gap = std::clamp(kGapPart * t.linear / scale.length, kLeastGap, kMostGap);
         goal_.angle = kAnglePart * t.angular;
         goal_.curvature = kCurvaturePart * t.curvature;
-        net_ = first_net(layout, scale);
+        net_ = first_net(layout, scale, first_spans);
     }
 
     [[nodiscard]] Result<Fairing> run();
@@ -210,7 +214,13 @@ Result<Fairing> Levels::run() {
 
 Result<Fairing> fair(const RibbonLoop& loop, const Layout& layout, double diameter,
                      const FillOptions& options) {
-    return Levels(loop, layout, scale_of(loop, diameter), options).run();
+    const Scale scale = scale_of(loop, diameter);
+    Result<Fairing> coarse = Levels(loop, layout, scale, options, kFirstSpans).run();
+    if (!coarse || coarse->worst.angle < kPoorAngle) {
+        return coarse;
+    }
+    Result<Fairing> fine = Levels(loop, layout, scale, options, kFineFirstSpans).run();
+    return fine && fine->worst.angle < coarse->worst.angle ? fine : coarse;
 }
 
 }  // namespace suture::mvs

@@ -16,8 +16,8 @@ namespace {
 // their freedom and few points a span determine it: see docs/methods/mvs.md, "quadrature".
 constexpr int kQuadrature = 3;
 // The start: how much the speed across the boundary counts against position, and the flat energy.
-constexpr double kStartAcross = 1e-2;
-constexpr double kStartEnergy = 1e-6;
+constexpr double kStartAcross = 1e-3;
+constexpr double kStartEnergy = 1e-8;
 
 }  // namespace
 
