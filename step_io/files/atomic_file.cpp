@@ -53,7 +53,9 @@ class TemporaryFile : public std::streambuf {
         check(::fsync(file_));
         check(::close(file_));
         file_ = -1;
-        check(::rename(path_.c_str(), target.c_str()));
+        if (error_ == 0) {
+            check(::rename(path_.c_str(), target.c_str()));
+        }
         if (error_ != 0) {
             ::unlink(path_.c_str());
         }

@@ -32,6 +32,15 @@ bool has_text_ending(const std::string& bytes) {
            location >= 0 && (last >> std::ws).eof();
 }
 
+/// The last list of sub-shapes ends in '*', right before either ending.
+bool has_binary_ending(const std::string& bytes) {
+    const auto ends_list = [&](std::streamoff ending) {
+        const auto from_end = static_cast<std::size_t>(ending) + 1;
+        return bytes.size() > from_end && bytes[bytes.size() - from_end] == '*';
+    };
+    return ends_list(kOcctEnding) || ends_list(kFreecadEnding);
+}
+
 TopoDS_Shape read_freecad_ending(BinTools_ShapeSet& shapes, std::istream& stream) {
     int shape = 0;
     int location = 0;
@@ -69,6 +78,11 @@ Result<TopoDS_Shape> read_brep_text(const std::string& bytes, const std::filesys
 }
 
 Result<TopoDS_Shape> read_brep_binary(const std::string& bytes, const std::filesystem::path& file) {
+    if (!has_binary_ending(bytes)) {
+        return fail(ErrorCode::Unreadable,
+                    "{} is cut off: its last bytes, which name the shape, are missing",
+                    file.string());
+    }
     std::istringstream stream(bytes, std::ios::binary);
     BinTools_ShapeSet shapes;
     shapes.Read(stream);
@@ -79,7 +93,7 @@ Result<TopoDS_Shape> read_brep_binary(const std::string& bytes, const std::files
     } else if (stream && left == kOcctEnding) {
         shapes.ReadSubs(shape, stream, shapes.NbShapes());
     } else {
-        return fail(ErrorCode::Unreadable, "{} is cut off or damaged: after its shapes it ends {}",
+        return fail(ErrorCode::Unreadable, "{} is damaged: after its shapes it ends {}",
                     file.string(), stream ? fmt::format("in {} bytes", left) : "too early");
     }
     if (shape.IsNull()) {

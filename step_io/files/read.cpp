@@ -6,6 +6,7 @@
 #include "files/join_bodies.h"
 #include "files/read_iges.h"
 #include "files/read_step.h"
+#include "files/static_scope.h"
 #include "suture/occ/guard.h"
 
 namespace suture::io {
@@ -19,6 +20,7 @@ Result<void> read_brep(ModelFile& model, const std::string& bytes) {
     if (!shape) {
         return tl::unexpected(shape.error());
     }
+    const StaticScope names_nothing;
     shapes_of(model.document)->AddShape(*shape, false);
     return {};
 }
@@ -39,8 +41,8 @@ Error unreadable(const Error& error, const std::filesystem::path& file) {
     if (error.code != ErrorCode::Internal) {
         return error;
     }
-    return {ErrorCode::Unreadable,
-            fmt::format("{} cannot be read: {}", file.string(), error.message)};
+    const std::string first_line = error.message.substr(0, error.message.find('\n'));
+    return {ErrorCode::Unreadable, fmt::format("{} cannot be read: {}", file.string(), first_line)};
 }
 
 }  // namespace

@@ -1,0 +1,129 @@
+#include "step_io/files/assembly.h"
+#include "step_io/files/describe.h"
+
+#include <BRepCheck_Analyzer.hxx>
+#include <BRepGProp.hxx>
+#include <GProp_GProps.hxx>
+
+namespace suture::io::test {
+
+namespace {
+
+double volume(const TopoDS_Shape& shape) {
+    GProp_GProps properties;
+    BRepGProp::VolumeProperties(shape, properties);
+    return properties.Mass();
+}
+
+class RoundTripOfSchema : public ::testing::TestWithParam<const char*> {};
+
+}  // namespace
+
+TEST_P(RoundTripOfSchema, KeepsTreeNamesColoursAndLayers) {
+    const Folder folder;
+    ModelFile model = two_level_assembly();
+    model.schema = GetParam();
+    write(model, folder / "a.step", Format::Step);
+    const ModelFile first = read(folder / "a.step");
+    EXPECT_EQ(first.schema, GetParam());
+    EXPECT_EQ(describe(first), describe(model));
+    write(first, folder / "b.step", Format::Step);
+    EXPECT_EQ(describe(read(folder / "b.step")), describe(model));
+}
+
+INSTANTIATE_TEST_SUITE_P(Step, RoundTripOfSchema, ::testing::Values("AP203", "AP214", "AP242"));
+
+TEST(RoundTrip, CountsInstancesOverTheWholeTree) {
+    const std::vector<Part> parts = two_level_assembly().parts();
+    ASSERT_EQ(parts.size(), 2U);
+    EXPECT_EQ(parts[0].name, "Träger 板");
+    EXPECT_EQ(parts[0].instances, 1);
+    EXPECT_EQ(parts[1].name, "bolt M4 'short'");
+    EXPECT_EQ(parts[1].instances, 3);
+}
+
+TEST(RoundTrip, KeepsUnitSizeAndAccuracyOfEachStepUnit) {
+    const Folder folder;
+    for (const char* unit : {"MM", "CM", "M", "KM", "UM", "INCH", "FT", "MI", "MIL", "UIN"}) {
+        ModelFile model = model_of(BRepPrimAPI_MakeBox(30, 20, 5).Shape(), "box");
+        model.unit = unit;
+        model.precision = 2e-4;
+        for (const Format format : {Format::Step, Format::Iges}) {
+            write(model, folder / "box", format);
+            const ModelFile again = read(folder / "box");
+            EXPECT_EQ(again.unit, unit) << to_string(format);
+            EXPECT_NEAR(volume(again.shape()), 3000.0, 1e-4) << unit << to_string(format);
+            EXPECT_NEAR(again.precision, 2e-4, 1e-9) << unit << to_string(format);
+        }
+    }
+}
+
+TEST(RoundTrip, KeepsSolidsOfIgesSewn) {
+    const Folder folder;
+    write(model_of(BRepPrimAPI_MakeBox(30, 20, 5).Shape(), "box"), folder / "box.igs",
+          Format::Iges);
+    const TopoDS_Shape shape = read(folder / "box.igs").shape();
+    EXPECT_TRUE(TopExp_Explorer(shape, TopAbs_SOLID).More());
+    EXPECT_TRUE(BRepCheck_Analyzer(shape).IsValid());
+}
+
+TEST(RoundTrip, KeepsBrepInOrderInAllThreeKinds) {
+    const Folder folder;
+    TopoDS_Shape shape = BRepPrimAPI_MakeCylinder(2, 15).Shape().Moved(moved(1, 2, 3, 0.4));
+    shape.Reverse();
+    for (const Format format : {Format::BrepText, Format::BrepBinary, Format::BrepFreecad}) {
+        write(model_of(shape, "pin"), folder / "pin", format);
+        const ModelFile again = read(folder / "pin");
+        EXPECT_EQ(again.format, format);
+        EXPECT_EQ(again.shape().Orientation(), TopAbs_REVERSED) << to_string(format);
+        TopTools_IndexedMapOfShape before;
+        TopTools_IndexedMapOfShape after;
+        TopExp::MapShapes(shape, before);
+        TopExp::MapShapes(again.shape(), after);
+        ASSERT_EQ(before.Extent(), after.Extent());
+        for (int i = 1; i <= before.Extent(); ++i) {
+            EXPECT_EQ(place(before(i)), place(after(i))) << to_string(format) << " " << i;
+        }
+    }
+}
+
+TEST(RoundTrip, SaysWhoWroteTheFileAndKeepsItsAuthor) {
+    const Folder folder;
+    ModelFile model = model_of(BRepPrimAPI_MakeBox(30, 20, 5).Shape(), "box");
+    model.origin = {{"a gear box"}, {"Ada"}, {"Works"}, "chief"};
+    write(model, folder / "box.step", Format::Step);
+    const std::string text = content(folder / "box.step");
+    EXPECT_NE(text.find("'Suture "), text.npos);
+    EXPECT_EQ(text.find("translator"), text.npos);
+    const Origin origin = read(folder / "box.step").origin;
+    EXPECT_EQ(origin.description, model.origin.description);
+    EXPECT_EQ(origin.authors, model.origin.authors);
+    EXPECT_EQ(origin.organizations, model.origin.organizations);
+    EXPECT_EQ(origin.authorisation, model.origin.authorisation);
+}
+
+TEST(RoundTrip, NamesAPartWithoutNameAfterTheFile) {
+    const Folder folder;
+    write(model_of(BRepPrimAPI_MakeBox(30, 20, 5).Shape(), ""), folder / "crate.brep",
+          Format::BrepText);
+    EXPECT_EQ(read(folder / "crate.brep").parts().front().name, "crate");
+}
+
+TEST(RoundTrip, KeepsWhatRealFilesSay) {
+    SUTURE_NEEDS_CAD_FILES();
+    const Folder folder;
+    for (const char* name :
+         {"0044_bb_boxblend_03_colored.stp", "0045_bb_boxblend_03_colored_mirrored.stp",
+          "frame.step", "goteborg.step", "nist_ctc_04_asme1_rd.stp", "nist_ftc_08_asme1_rc.stp",
+          "Handle_SO101.step", "wavy-cube.stp", "hammer.iges", "D150WithGuides_wing.igs"}) {
+        const ModelFile model = read(cad(name));
+        write(model, folder / name, model.format);
+        const ModelFile again = read(folder / name);
+        EXPECT_EQ(describe(again), describe(model)) << name;
+        EXPECT_EQ(again.unit, model.unit) << name;
+        EXPECT_EQ(again.schema, model.schema) << name;
+        EXPECT_NEAR(again.precision, model.precision, 1e-5 * model.precision) << name;
+    }
+}
+
+}  // namespace suture::io::test
