@@ -53,7 +53,7 @@ Result<FillResult> fill_mvs(const Hole& hole, const FillOptions& options) {
                     "{:.1f} deg on its neighbours)",
                     name_of(loop.ribbons.front()), degrees(layout->turning));
     }
-    const Result<mvs::Fairing> fairing = mvs::fair(loop, *layout, hole.diameter, options);
+    const Result<mvs::Fairing> fairing = mvs::fair(loop, *layout, options);
     if (!fairing) {
         return tl::unexpected(fairing.error());
     }

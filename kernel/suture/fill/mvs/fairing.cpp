@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace suture::mvs {
 namespace {
@@ -59,9 +60,11 @@ struct Goal {
     }
 };
 
-Scale scale_of(const RibbonLoop& loop, double diameter) {
+// The unit is the diameter of the circle as long as the boundary: unlike the bounding box it does
+// not depend on how the hole is turned in space.
+Scale scale_of(const RibbonLoop& loop, const Layout& layout) {
     Scale scale;
-    scale.length = diameter;
+    scale.length = std::accumulate(layout.lengths.begin(), layout.lengths.end(), 0.0) / kPi;
     for (const Ribbon& ribbon : loop.ribbons) {
         scale.centre += ribbon.at(0.0).point + ribbon.at(0.5).point;
     }
@@ -212,9 +215,8 @@ Result<Fairing> Levels::run() {
 
 }  // namespace
 
-Result<Fairing> fair(const RibbonLoop& loop, const Layout& layout, double diameter,
-                     const FillOptions& options) {
-    const Scale scale = scale_of(loop, diameter);
+Result<Fairing> fair(const RibbonLoop& loop, const Layout& layout, const FillOptions& options) {
+    const Scale scale = scale_of(loop, layout);
     Result<Fairing> coarse = Levels(loop, layout, scale, options, kFirstSpans).run();
     if (!coarse || coarse->worst.angle < kPoorAngle) {
         return coarse;

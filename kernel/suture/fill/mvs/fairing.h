@@ -22,7 +22,7 @@ struct Fairing {
 /// exact functional, then knots where the boundary is missed.
 ///
 /// Refuses  cancelled by the user; an iteration that finds no descent from its start.
-[[nodiscard]] Result<Fairing> fair(const RibbonLoop& loop, const Layout& layout, double diameter,
+[[nodiscard]] Result<Fairing> fair(const RibbonLoop& loop, const Layout& layout,
                                    const FillOptions& options);
 
 }  // namespace suture::mvs

@@ -21,7 +21,7 @@ constexpr int kFirstCount = 17;
 constexpr int kLastCount = 129;
 // What a tangent's last terms leave out moves the domain curve by less than a hundredth of that,
 // far below any gap that is asked for.
-constexpr double kResolved = 1e-6;
+constexpr double kResolved = 1e-8;
 // Sides shorter than this part of the hole's diameter have no direction to speak of.
 constexpr double kShortestSide = 1e-6;
 // The closing conditions are met when the gap is this small part of the length.

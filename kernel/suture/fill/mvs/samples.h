@@ -9,7 +9,7 @@
 
 namespace suture::mvs {
 
-/// Similarity to the unit in which the solver works: the hole about the origin, its diameter 1.
+/// Similarity to the unit in which the solver works: the hole about the origin, about 1 across.
 struct Scale {
     Eigen::Vector3d centre = Eigen::Vector3d::Zero();
     double length = 1.0;

@@ -1,0 +1,277 @@
+#include "support/ribbon_zoo.h"
+#include "suture/base/tolerance.h"
+#include "suture/fill/mvs.h"
+
+#include <Eigen/Geometry>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace suture {
+namespace {
+
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+
+struct Measured {
+    double deviation = 0.0;  // from the known surface, relative to the hole's diameter
+    double gap = 0.0;        // likewise
+    double angle_deg = 0.0;
+    double curvature = 0.0;  // |k1 - k2| across the boundary, times the diameter
+    int poles = 0;           // in the longer direction
+};
+
+struct Truth {
+    zoo::Surface surface;
+    Vector2d lower, upper;  // where in its parameters to look
+};
+
+// At ribbon parameters that have nothing to do with those the method fits.
+Measured measure(const Hole& hole, const FillResult& result, const Truth& truth) {
+    const Patch& patch = result.patches.front();
+    const auto& surface = std::get<SplineSurface>(patch.surface);
+    Measured m;
+    m.poles = std::max(surface.count_u(), surface.count_v());
+    std::vector<Vector2d> boundary;
+    Vector2d mean = Vector2d::Zero();
+    const std::vector<Ribbon>& ribbons = hole.loops.front().ribbons;
+    for (std::size_t i = 0; i < ribbons.size(); ++i) {
+        for (int k = 0; k <= 67; ++k) {
+            const double s = k / 67.0;
+            const RibbonPoint q = ribbons[i].at(s);
+            const Vector2d uv = patch.trims[0][i](s);
+            const SurfaceJet j = evaluate(surface, uv.x(), uv.y());
+            const Vector3d n = j.u.cross(j.v).normalized();
+            m.gap = std::max(m.gap, (j.point - q.point).norm() / hole.diameter);
+            const double angle = std::atan2(n.cross(q.normal).norm(), n.dot(q.normal));
+            m.angle_deg = std::max(m.angle_deg, degrees(angle));
+            Eigen::Matrix<double, 3, 2> E;
+            E << j.u, j.v;
+            const Vector2d d = (E.transpose() * E).inverse() * (E.transpose() * q.inward);
+            const double own = n.dot(j.uu) * d.x() * d.x() + 2.0 * n.dot(j.uv) * d.x() * d.y() +
+                               n.dot(j.vv) * d.y() * d.y();
+            m.curvature = std::max(
+                m.curvature, std::abs(own - q.inward.dot(q.curvature * q.inward)) * hole.diameter);
+            if (k % 6 == 0) {
+                boundary.push_back(uv);
+            }
+            mean += uv;
+        }
+    }
+    mean /= 68.0 * static_cast<double>(ribbons.size());
+    for (const Vector2d& uv : boundary) {
+        for (const double t : {0.0, 0.25, 0.5, 0.75, 0.95}) {
+            const Vector2d x = mean + t * (uv - mean);
+            const Vector3d p = evaluate(surface, x.x(), x.y()).point;
+            m.deviation =
+                std::max(m.deviation,
+                         zoo::distance(truth.surface, p, truth.lower, truth.upper) / hole.diameter);
+        }
+    }
+    return m;
+}
+
+Measured filled(const Hole& hole, const Truth& truth) {
+    const Result<FillResult> result = fill_mvs(hole, {});
+    if (!result) {
+        ADD_FAILURE() << result.error().message;
+        return {1.0, 1.0, 180.0, 1.0, 1000};
+    }
+    return measure(hole, *result, truth);
+}
+
+struct Window {
+    std::string name;
+    std::vector<zoo::Curve> curves;
+};
+std::vector<Window> windows(Vector2d centre, double r) {
+    return {{"round", zoo::circle(centre, r, 1)},
+            {"arcs", zoo::circle(centre, r, 4)},
+            {"star", zoo::star(centre, r, 0.25, 5, 5)},
+            {"octagon", zoo::regular(centre, r, 8)},
+            {"concave", zoo::concave(centre, r)}};
+}
+
+Truth around(const zoo::Surface& surface, Vector2d centre, double r) {
+    return {surface, centre - Vector2d::Constant(2.0 * r), centre + Vector2d::Constant(2.0 * r)};
+}
+
+void expect_exact(const Measured& m) {
+    EXPECT_LT(m.deviation, 1e-5);
+    EXPECT_LT(m.gap, 2e-6);
+    EXPECT_LT(m.angle_deg, 0.001);
+    EXPECT_LE(m.poles, 20);
+}
+
+TEST(FillMvs, GivesSpheresBackThroughWindowsOfAnyShape) {
+    const zoo::Surface sphere = zoo::sphere(1.0);
+    for (const Window& window : windows({0.3, 0.2}, 0.5)) {
+        SCOPED_TRACE(window.name);
+        expect_exact(filled(zoo::window(sphere, window.curves), around(sphere, {0.3, 0.2}, 0.5)));
+    }
+}
+
+TEST(FillMvs, GivesCylindersBackThroughWindowsOfAnyShape) {
+    const zoo::Surface cylinder = zoo::cylinder(1.0);
+    for (const Window& window : windows({0.3, 0.2}, 0.7)) {
+        SCOPED_TRACE(window.name);
+        expect_exact(
+            filled(zoo::window(cylinder, window.curves), around(cylinder, {0.3, 0.2}, 0.7)));
+    }
+}
+
+TEST(FillMvs, ClosesASuitcaseCornerOfAnyRadiusByASphere) {
+    for (const double radius : {1e-3, 1.0, 1e3}) {
+        expect_exact(
+            filled(zoo::suitcase_corner(radius), {zoo::sphere(radius), {-1.0, -1.0}, {3.0, 1.5}}));
+    }
+}
+
+TEST(FillMvs, ClosesAPipeByAHemisphere) {
+    expect_exact(filled(zoo::pipe_end(1.0, 1), {zoo::sphere(1.0), {-4.0, 0.0}, {4.0, 1.6}}));
+    expect_exact(filled(zoo::pipe_end(1.0, 4), {zoo::sphere(1.0), {-4.0, 0.0}, {4.0, 1.6}}));
+}
+
+TEST(FillMvs, FillsAHalfRoundFilletWhoseNormalsSpreadOver180Degrees) {
+    const zoo::Surface cylinder = zoo::cylinder(1.0);
+    const Hole hole = zoo::window(cylinder, zoo::polygon({{0, 0}, {kPi, 0}, {kPi, 3}, {0, 3}}));
+    expect_exact(filled(hole, {cylinder, {-1.0, -1.0}, {5.0, 4.0}}));
+}
+
+TEST(FillMvs, ClosesMoreThanAHemisphere) {
+    const Measured m =
+        filled(zoo::sphere_cap(1.0, -0.5, 1), {zoo::sphere(1.0), {-4.0, -1.4}, {4.0, 1.6}});
+    EXPECT_LT(m.deviation, 1e-4);
+    EXPECT_LT(m.gap, 5e-6);
+    EXPECT_LT(m.angle_deg, 0.002);
+}
+
+TEST(FillMvs, FillsWindowsInCurvedSheetsAndBetterStillWithCurvature) {
+    const std::vector<std::pair<std::string, Truth>> sheets = {
+        {"torus", around(zoo::torus(3.0, 1.0), {0.3, 0.2}, 0.6)},
+        {"saddle", around(zoo::saddle(1.0), {0.1, 0.05}, 0.5)},
+        {"wavy sheet", around(zoo::wavy(0.1, 2.0), {0.3, 0.1}, 0.5)}};
+    for (const auto& [name, truth] : sheets) {
+        const Vector2d centre = 0.5 * (truth.lower + truth.upper);
+        const double r = 0.25 * (truth.upper - truth.lower).x();
+        for (const Continuity continuity : {Continuity::G1, Continuity::G2}) {
+            SCOPED_TRACE(name + " " + std::string(to_string(continuity)));
+            const Measured m =
+                filled(zoo::window(truth.surface, zoo::circle(centre, r, 4), continuity), truth);
+            EXPECT_LT(m.gap, 1e-5);
+            EXPECT_LT(m.angle_deg, 0.005);
+            EXPECT_LE(m.poles, 30);
+            EXPECT_LT(m.deviation, continuity == Continuity::G1 ? 2e-3 : 5e-4);
+            if (continuity == Continuity::G2) {
+                EXPECT_LT(m.curvature, 1e-3);
+            }
+        }
+    }
+}
+
+TEST(FillMvs, FillsAStrongSaddleThatTurnsBy3Pi) {
+    const zoo::Surface saddle = zoo::saddle(1.0);
+    const Measured m = filled(zoo::window(saddle, zoo::circle({0.0, 0.0}, 1.7, 4)),
+                              {saddle, {-2.0, -2.0}, {2.0, 2.0}});
+    EXPECT_LT(m.gap, 1e-5);
+    EXPECT_LT(m.angle_deg, 0.005);
+    EXPECT_LT(m.deviation, 1e-2);
+}
+
+TEST(FillMvs, AsksNoTangencyWhereOnlyPositionIsWanted) {
+    // A planar star whose neighbours stand upright, at G0: the plane is the fairest surface.
+    const zoo::Surface plane =
+        zoo::graph([](const zoo::Jet&, const zoo::Jet&) { return zoo::Jet(0); });
+    Hole hole = zoo::window(plane, zoo::star({0.0, 0.0}, 1.0, 0.2, 5, 5), Continuity::G0);
+    expect_exact(filled(hole, {plane, {-2.0, -2.0}, {2.0, 2.0}}));
+}
+
+TEST(FillMvs, IsDeterministic) {
+    const Hole hole = zoo::window(zoo::saddle(1.0), zoo::regular({0.1, 0.05}, 0.5, 5));
+    const Result<FillResult> a = fill_mvs(hole, {});
+    const Result<FillResult> b = fill_mvs(hole, {});
+    ASSERT_TRUE(a && b);
+    EXPECT_TRUE(std::get<SplineSurface>(a->patches[0].surface).poles ==
+                std::get<SplineSurface>(b->patches[0].surface).poles);
+}
+
+// Rounding, amplified by a matrix whose condition is about 1e10.
+constexpr double kSame = 1e-8;
+
+TEST(FillMvs, TurnsScalesAndShiftsWithTheHole) {
+    const std::vector<zoo::Curve> curves = zoo::regular({0.1, 0.05}, 0.5, 5);
+    const Hole hole = zoo::window(zoo::torus(3.0, 1.0), curves);
+    const Result<FillResult> plain = fill_mvs(hole, {});
+    ASSERT_TRUE(plain);
+    const Eigen::Matrix3d turn =
+        Eigen::AngleAxisd(0.8, Vector3d(1.0, 2.0, -0.5).normalized()).toRotationMatrix();
+    for (const double factor : {1e-3, 1.0, 1e3}) {
+        const Eigen::Matrix3d linear = factor * turn;
+        const Vector3d shift = factor * Vector3d(3.0, -1.0, 2.0);
+        FillOptions options;
+        options.tolerance.linear *= factor;
+        const Result<FillResult> moved =
+            fill_mvs(zoo::window(zoo::moved(zoo::torus(3.0, 1.0), linear, shift), curves), options);
+        ASSERT_TRUE(moved);
+        const auto& p = std::get<SplineSurface>(plain->patches[0].surface);
+        const auto& q = std::get<SplineSurface>(moved->patches[0].surface);
+        ASSERT_EQ(p.poles.cols(), q.poles.cols());
+        for (const double s : {0.1, 0.6}) {
+            const Vector2d a = 0.5 * plain->patches[0].trims[0][0](s);
+            const Vector2d b = 0.5 * moved->patches[0].trims[0][0](s);
+            // Compared along the normal: inside, the parametrisation is free.
+            const SurfaceJet j = evaluate(p, a.x(), a.y());
+            const Vector3d n = turn * j.u.cross(j.v).normalized();
+            const Vector3d expected = linear * j.point + shift;
+            const double miss = n.dot(evaluate(q, b.x(), b.y()).point - expected);
+            EXPECT_LT(std::abs(miss), kSame * factor);
+        }
+    }
+}
+
+TEST(FillMvs, DoesNotDependOnTheStartEdge) {
+    Hole hole = zoo::window(zoo::torus(3.0, 1.0), zoo::regular({0.1, 0.05}, 0.5, 5));
+    const Result<FillResult> plain = fill_mvs(hole, {});
+    std::vector<Ribbon>& ribbons = hole.loops[0].ribbons;
+    std::rotate(ribbons.begin(), ribbons.begin() + 2, ribbons.end());
+    const Result<FillResult> turned = fill_mvs(hole, {});
+    ASSERT_TRUE(plain && turned);
+    const Vector2d a = 0.5 * plain->patches[0].trims[0][2](0.3);
+    const Vector2d b = 0.5 * turned->patches[0].trims[0][0](0.3);
+    const SurfaceJet j = evaluate(std::get<SplineSurface>(plain->patches[0].surface), a.x(), a.y());
+    const Vector3d q =
+        evaluate(std::get<SplineSurface>(turned->patches[0].surface), b.x(), b.y()).point;
+    EXPECT_LT(std::abs(j.u.cross(j.v).normalized().dot(j.point - q)), kSame);
+}
+
+TEST(FillMvs, RefusesIslands) {
+    Hole hole = zoo::suitcase_corner(1.0);
+    hole.loops.push_back(hole.loops.front());
+    const Result<FillResult> result = fill_mvs(hole, {});
+    ASSERT_FALSE(result);
+    EXPECT_EQ(result.error().code, ErrorCode::Refused);
+}
+
+TEST(FillMvs, RefusesALoopThatCrossesItself) {
+    const Hole hole =
+        zoo::window(zoo::cylinder(1.0), zoo::polygon({{0, 0}, {1, 1}, {1, 0}, {0, 1.2}}));
+    const Result<FillResult> result = fill_mvs(hole, {});
+    ASSERT_FALSE(result);
+    EXPECT_EQ(result.error().code, ErrorCode::Refused);
+}
+
+TEST(FillMvs, StopsWhenCancelled) {
+    std::stop_source stop;
+    FillOptions options;
+    options.progress.cancel = stop.get_token();
+    stop.request_stop();
+    const Result<FillResult> result = fill_mvs(zoo::suitcase_corner(1.0), options);
+    ASSERT_FALSE(result);
+    EXPECT_EQ(result.error().code, ErrorCode::Cancelled);
+}
+
+}  // namespace
+}  // namespace suture

@@ -1,0 +1,109 @@
+#include "suture/fill/mvs/layout.h"
+
+#include "support/ribbon_zoo.h"
+#include "suture/base/tolerance.h"
+#include "suture/fill/mvs/polygon.h"
+
+#include <Eigen/Geometry>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace suture::mvs {
+namespace {
+
+Layout laid_out(const Hole& hole) {
+    const Result<Layout> layout = lay_out(hole.loops.front(), hole.diameter);
+    EXPECT_TRUE(layout) << layout.error().message;
+    return *layout;
+}
+
+TEST(LayOut, UnrollsAHalfRoundFilletExactly) {
+    const Hole hole =
+        zoo::window(zoo::cylinder(2.0), zoo::polygon({{0, 0}, {kPi, 0}, {kPi, 3}, {0, 3}}));
+    const Layout layout = laid_out(hole);
+    EXPECT_NEAR(layout.turning, 2.0 * kPi, 1e-12);
+    EXPECT_LT(layout.closing_gap, 1e-12);
+    const Eigen::Vector2d size = layout.upper - layout.lower;
+    EXPECT_NEAR(size.x(), 3.0, 1e-10);
+    EXPECT_NEAR(size.y(), 2.0 * kPi, 1e-10);
+    for (std::size_t i = 0; i < 4; ++i) {
+        const Eigen::Vector2d chord = layout.curves[i].at(1.0) - layout.curves[i].at(0.0);
+        EXPECT_NEAR(chord.norm(), i % 2 == 0 ? 2.0 * kPi : 3.0, 1e-10);
+    }
+}
+
+TEST(LayOut, MakesADiscOfThePipesEnd) {
+    const Layout layout = laid_out(zoo::pipe_end(3.0, 5));
+    EXPECT_NEAR(layout.turning, 0.0, 1e-12);
+    for (const DomainCurve& curve : layout.curves) {
+        for (const double s : {0.0, 0.4, 0.9}) {
+            EXPECT_NEAR(curve.at(s).norm(), 3.0, 0.06);  // the box's centre need not be the disc's
+        }
+    }
+}
+
+TEST(LayOut, TurnsAsGaussAndBonnetSay) {
+    // A cap: 2 pi less the integral of the Gauss curvature, which is the cap's area / r^2.
+    const double latitude = 0.4;
+    const Layout layout = laid_out(zoo::sphere_cap(5.0, latitude, 3));
+    EXPECT_NEAR(layout.turning, 2.0 * kPi * std::sin(latitude), 1e-10);
+    // An octant: three right angles between great circles.
+    EXPECT_NEAR(laid_out(zoo::suitcase_corner(1.0)).turning, 1.5 * kPi, 1e-10);
+}
+
+TEST(LayOut, ClosesKeepsLengthsAndRunsCounterclockwise) {
+    const Hole hole = zoo::window(zoo::torus(3.0, 1.0), zoo::star({0.3, 0.2}, 0.6, 0.25, 5, 5));
+    const Layout layout = laid_out(hole);
+    EXPECT_TRUE(layout.simple);
+    double area = 0.0;
+    for (std::size_t i = 0; i < 5; ++i) {
+        const DomainCurve& curve = layout.curves[i];
+        EXPECT_LT((curve.at(1.0) - layout.curves[(i + 1) % 5].at(0.0)).norm(), 1e-9);
+        for (double s = 0.005; s < 1.0; s += 0.01) {
+            const double speed = hole.loops[0].ribbons[i].at(s).tangent.norm();
+            EXPECT_NEAR(curve.derivative(s).norm(), speed, 1e-3 * speed);
+            const Eigen::Vector2d p = curve.at(s);
+            const Eigen::Vector2d d = curve.derivative(s);
+            area += 0.005 * (p.x() * d.y() - p.y() * d.x());
+        }
+    }
+    EXPECT_GT(area, 0.0);
+}
+
+TEST(LayOut, RefusesASideOfZeroLength) {
+    const Hole hole =
+        zoo::window(zoo::sphere(1.0), zoo::polygon({{0, 0}, {0.5, 0}, {0.5, 0}, {0.2, 0.4}}));
+    const Result<Layout> layout = lay_out(hole.loops.front(), hole.diameter);
+    ASSERT_FALSE(layout);
+    EXPECT_EQ(layout.error().code, ErrorCode::Refused);
+    EXPECT_NE(layout.error().message.find("edge 2"), std::string::npos);
+}
+
+TEST(LayOut, RefusesAnUnboundedNormal) {
+    Hole hole = zoo::pipe_end(1.0, 3);
+    const auto at = hole.loops[0].ribbons[1].at;
+    hole.loops[0].ribbons[1].at = [at](double s) {
+        RibbonPoint p = at(s);
+        if (s > 0.9) {
+            p.normal.setConstant(std::nan(""));
+        }
+        return p;
+    };
+    const Result<Layout> layout = lay_out(hole.loops.front(), hole.diameter);
+    ASSERT_FALSE(layout);
+    EXPECT_NE(layout.error().message.find("edge 2"), std::string::npos);
+}
+
+TEST(CrossesItself, TellsAnEightFromARing) {
+    Eigen::Matrix2Xd eight(2, 4);
+    eight << 0, 1, 0, 1, 0, 1, 1, 0;
+    Eigen::Matrix2Xd ring(2, 4);
+    ring << 0, 1, 1, 0, 0, 0, 1, 1;
+    EXPECT_TRUE(crosses_itself(eight));
+    EXPECT_FALSE(crosses_itself(ring));
+}
+
+}  // namespace
+}  // namespace suture::mvs
