@@ -40,9 +40,9 @@ constexpr double kProgress = 0.9;
 // Spans are halved where a sample misses its goal, and by this part of the worst miss.
 constexpr double kMarked = 0.05;
 
-// Rough: the flat energy holds the parametrisation, and three or four steps reach the basin of the
+// Rough, without curvatures: the flat energy holds the parametrisation, and a few steps reach the
 // solution from anywhere. Exact: the flat energy is but a damping. Fine: the boundary decides.
-constexpr Weights kRough = {1e-8, 1.0, 1e-8, 0.03, 1e-3};
+constexpr Weights kRough = {1e-8, 1.0, 1e-8, 0.03, 0.0};
 constexpr Weights kExact = {1e-8, 1e-6, 1e-8, 0.03, 1e-3};
 constexpr Weights kFine = {1e-10, 1e-6, 1e-8, 0.03, 1e-3};
 // The energy's weight falls with every level: what misses the boundary last are corners at which
