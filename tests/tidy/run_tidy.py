@@ -1,4 +1,4 @@
-"""Runs clang-tidy on our sources, each as the build compiles it but without precompiled headers.
+"""Runs clang-tidy on our sources, each as the build compiles it; what g++ has precompiled is parsed.
 
     run_tidy.py BUILD_FOLDER [FOLDER...]    sources below these folders of the project; none: all
 
@@ -20,17 +20,17 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parent.parent.parent
 INCLUDE_ROOTS = [ROOT / "kernel", ROOT / "step_io", ROOT / "tests"]
 INCLUDE = re.compile(r'^\s*#\s*include\s*"([^"]+)"', re.MULTILINE)
+PRECOMPILED = ROOT / "kernel/suture/occ/pch.h"
 TIDY = "clang-tidy"
 
 
-def without_precompiled_header(command):
-    """The arguments of a compile command but for the precompiled header and what CMake says of it."""
+def without_gch(command):
+    """The arguments of a compile command with the plain header in the place of g++'s precompiled one."""
     kept, words = [], iter(shlex.split(command))
     for word in words:
         if word == "-include":
             header = next(words)
-            if not header.endswith("cmake_pch.hxx"):
-                kept += [word, header]
+            kept += [word, str(PRECOMPILED) if header.endswith("cmake_pch.hxx") else header]
         elif word not in ("-Winvalid-pch", "-fpch-preprocess"):
             kept.append(word)
     return kept
@@ -45,7 +45,7 @@ def read_commands(build, folders):
             continue
         if folders and not any(source.is_relative_to(folder) for folder in folders):
             continue
-        commands[source] = without_precompiled_header(entry["command"])
+        commands[source] = without_gch(entry["command"])
     return commands
 
 
@@ -66,7 +66,7 @@ def fingerprint(source, arguments, settings):
     """Equal for equal files, settings and arguments, wherever the project lies."""
     digest = hashlib.sha256(settings)
     digest.update(" ".join(arguments).replace(str(ROOT), "").encode())
-    for file in with_headers(source):
+    for file in [PRECOMPILED, *with_headers(source)]:
         digest.update(str(file.relative_to(ROOT)).encode())
         digest.update(file.read_bytes())
     return digest.hexdigest()
