@@ -44,6 +44,25 @@ std::vector<Attempt> attempts_for(const std::vector<BoundaryLoop>& loops, const 
     return attempts;
 }
 
+/// Beyond these `auto` takes no candidate, however much worse the others are: a surface that is off
+/// by a fiftieth of the hole, or folded back at its border, closes nothing.
+constexpr double kHopelessGap = 0.02;
+constexpr double kHopelessAngle = radians(90.0);
+
+bool hopeless(const TrialMeasure& measured, const Hole& hole) {
+    std::size_t next = 0;
+    for (const RibbonLoop& loop : hole.loops) {
+        for (const Ribbon& ribbon : loop.ribbons) {
+            const SideMeasure& side = measured.sides[next++];
+            if (side.gap > kHopelessGap * hole.diameter ||
+                (ribbon.continuity >= Continuity::G1 && side.angle > kHopelessAngle)) {
+                return true;
+            }
+        }
+    }
+    return false;
+}
+
 /// One sentence on a candidate: "occt: 1.5 times the tolerance".
 std::string verdict(const std::string& name, double score) {
     return score <= 1.0 ? fmt::format("{}: within tolerance", name)
@@ -90,6 +109,10 @@ Result<Choice> choose_fill(const std::vector<BoundaryLoop>& loops, const Hole& h
             continue;
         }
         verdicts.push_back(verdict(attempt.name, measured->score));
+        if (automatic && hopeless(*measured, hole)) {
+            verdicts.back() += " (far off or folded back: not taken)";
+            continue;
+        }
         if (!best || measured->score < best->measured.score) {
             best = Choice{attempt.name, std::move(*fill), std::move(*measured), {}, 0.0};
         }

@@ -1,5 +1,6 @@
 #include "suture/choose/trial.h"
 
+#include "suture/check/brepcheck_problems.h"
 #include "suture/check/continuity.h"
 #include "suture/faces/make_faces.h"
 #include "suture/occ/guard.h"
@@ -112,9 +113,9 @@ Result<TrialMeasure> try_fill(const std::vector<BoundaryLoop>& loops, const Hole
         }
         for (const TopoDS_Face& face : made->faces) {
             if (!BRepCheck_Analyzer(face).IsValid()) {
-                return tl::unexpected(
-                    Error{ErrorCode::Refused,
-                          "OCCT's check finds the new face invalid (boundary crosses itself)"});
+                const auto problems = find_brepcheck_problems(face, occ::Numbering(face));
+                return fail(ErrorCode::Refused, "OCCT's check finds the new face invalid ({})",
+                            fmt::join(problems, ", "));
             }
         }
         return measure(copied, hole, made->faces, tolerance, progress);

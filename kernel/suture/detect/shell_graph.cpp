@@ -149,8 +149,9 @@ void mate_uses(ShellGraph& graph) {
     }
     for (const std::vector<int>& uses : uses_of) {
         if (uses.size() == 1) {
-            EdgeUse& use = graph.uses[uses.front()];
-            use.free = !BRep_Tool::IsClosed(use.edge, graph.faces[use.face]);
+            // Also where the edge has two pcurves on the face's surface: faces on both sides of a seam
+            // can share that surface, and this one uses one of them.
+            graph.uses[uses.front()].free = true;
         } else if (uses.size() == 2) {
             graph.uses[uses[0]].mate = uses[1];
             graph.uses[uses[1]].mate = uses[0];

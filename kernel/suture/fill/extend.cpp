@@ -274,7 +274,7 @@ SplineSurface covering(const SplineSurface& spline, const Vector2d& period, cons
         const int before = static_cast<int>(std::max(0.0, std::ceil((begin - low[c]) / period[c])));
         const int turns =
             std::max(1, before + static_cast<int>(std::ceil((high[c] - begin) / period[c])));
-        if (turns > 1) {
+        if (turns > 1 || before > 0) {
             result = c == 0 ? repeated_u(result, turns, before) : repeated_v(result, turns, before);
         }
     }

@@ -155,7 +155,9 @@ Result<Side> side_of(const BoundaryEdge& boundary) {
     }
     double pfirst = 0.0;
     double plast = 0.0;
-    side.pcurve = BRep_Tool::CurveOnSurface(boundary.edge, boundary.face, pfirst, plast);
+    // As the face uses the edge, since on a shared seam the two directions have two pcurves.
+    const TopoDS_Edge used = TopoDS::Edge(boundary.edge.Reversed());
+    side.pcurve = BRep_Tool::CurveOnSurface(used, boundary.face, pfirst, plast);
     if (side.pcurve.IsNull()) {
         return fail(ErrorCode::Refused, "edge {} has no curve on the surface of face {}",
                     boundary.edge_number, boundary.face_number);

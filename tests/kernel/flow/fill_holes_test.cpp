@@ -1,0 +1,302 @@
+#include "suture/fill_holes.h"
+
+#include "support/grids.h"
+#include "suture/occ/convert.h"
+#include "suture/occ/handle.h"
+
+#include <gtest/gtest.h>
+
+#include <BRepBuilderAPI_Copy.hxx>
+#include <BRepBuilderAPI_Transform.hxx>
+#include <BRepCheck_Analyzer.hxx>
+#include <BRepFilletAPI_MakeFillet.hxx>
+#include <BRepGProp.hxx>
+#include <BRepPrimAPI_MakeBox.hxx>
+#include <BRepPrimAPI_MakeCylinder.hxx>
+#include <BRep_Tool.hxx>
+#include <GProp_GProps.hxx>
+#include <GeomConvert.hxx>
+#include <Geom_BSplineSurface.hxx>
+#include <Geom_ConicalSurface.hxx>
+#include <Geom_CylindricalSurface.hxx>
+#include <Geom_SphericalSurface.hxx>
+#include <Geom_ToroidalSurface.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopTools_MapOfShape.hxx>
+
+#include <cmath>
+
+namespace suture {
+namespace {
+
+using occ::Handle;
+
+Result<FillOutcome> fill(const TopoDS_Shape& shape, const FillRequest& request = {}) {
+    return fill_holes(shape, occ::Numbering(shape), request);
+}
+
+double volume(const TopoDS_Shape& shape) {
+    GProp_GProps properties;
+    BRepGProp::VolumeProperties(shape, properties);
+    return properties.Mass();
+}
+
+double area(const TopoDS_Shape& shape) {
+    GProp_GProps properties;
+    BRepGProp::SurfaceProperties(shape, properties);  // good to five digits on splines
+    return properties.Mass();
+}
+
+void expect_closed_solid(const FillOutcome& outcome) {
+    EXPECT_EQ(outcome.shape.ShapeType(), TopAbs_SOLID);
+    EXPECT_TRUE(BRepCheck_Analyzer(outcome.shape).IsValid());
+    for (TopExp_Explorer it(outcome.shape, TopAbs_SHELL); it.More(); it.Next()) {
+        EXPECT_TRUE(BRep_Tool::IsClosed(it.Current()));
+    }
+}
+
+/// Every face of the input is in the output, as the same object.
+void expect_untouched(const TopoDS_Shape& before, const TopoDS_Shape& after) {
+    TopTools_MapOfShape kept;
+    for (TopExp_Explorer it(after, TopAbs_FACE); it.More(); it.Next()) {
+        kept.Add(it.Current());
+    }
+    for (TopExp_Explorer it(before, TopAbs_FACE); it.More(); it.Next()) {
+        EXPECT_TRUE(kept.Contains(it.Current()));
+    }
+}
+
+double largest_tolerance(const TopoDS_Shape& shape) {
+    double largest = 0.0;
+    for (const TopoDS_Edge& edge : occ::edges_of(shape)) {
+        largest = std::max(largest, BRep_Tool::Tolerance(edge));
+    }
+    return largest;
+}
+
+TEST(FillHoles, ClosesABoxWithoutALidByAPlane) {
+    const TopoDS_Shape box = BRepPrimAPI_MakeBox(2.0, 3.0, 4.0).Shape();
+    for (int lid = 0; lid < 6; ++lid) {
+        const TopoDS_Shape open = grids::without_faces(box, {lid});
+        const auto outcome = fill(open);
+        ASSERT_TRUE(outcome) << outcome.error().message;
+        expect_closed_solid(*outcome);
+        expect_untouched(open, outcome->shape);
+        ASSERT_EQ(outcome->holes.size(), 1U);
+        EXPECT_EQ(outcome->holes[0].status, FillStatus::Filled);
+        EXPECT_EQ(outcome->holes[0].method_used, "plane");
+        EXPECT_TRUE(outcome->holes[0].within_tolerance);
+        EXPECT_NEAR(volume(outcome->shape), 24.0, 1e-9);
+    }
+}
+
+struct Body {
+    std::string name;
+    Handle<Geom_Surface> surface;
+    std::vector<double> us, vs;
+};
+
+/// Closed bodies of one surface, in cells.
+std::vector<Body> bodies() {
+    const gp_Ax3 axes(gp_Pnt(1, -2, 3), gp_Dir(1, 2, -1));
+    const std::vector<double> turn = {0.0, 1.3, 2.9, 4.4, 2.0 * kPi};
+    std::vector<Body> result;
+    result.push_back({"torus",
+                      occ::make<Geom_ToroidalSurface>(axes, 5.0, 1.5),
+                      turn,
+                      {0.0, 1.7, 3.6, 2.0 * kPi}});
+    result.push_back({"sphere",
+                      occ::make<Geom_SphericalSurface>(axes, 4.0),
+                      turn,
+                      {-kPi / 2, -0.4, 0.7, kPi / 2}});
+    const Handle<Geom_Surface> torus = occ::make<Geom_ToroidalSurface>(axes, 5.0, 1.5);
+    const auto spline = GeomConvert::SurfaceToBSplineSurface(torus);
+    spline->SetUNotPeriodic();
+    spline->SetVNotPeriodic();
+    result.push_back({"B-spline torus", spline, turn, {0.0, 1.7, 3.6, 2.0 * kPi}});
+    return result;
+}
+
+TEST(FillHoles, ExtendsTheSurfaceAllNeighboursShareInEveryCell) {
+    for (const Body& body : bodies()) {
+        const TopoDS_Shape whole = grids::shell_of(body.surface, body.us, body.vs, {});
+        const double truth = area(whole);
+        for (int i = 0; i < 4; ++i) {
+            for (int j = 0; j < 3; ++j) {
+                SCOPED_TRACE(testing::Message() << body.name << " cell " << i << ", " << j);
+                const TopoDS_Shape open = grids::shell_of(body.surface, body.us, body.vs, {{i, j}});
+                const double tolerance = largest_tolerance(open);
+                const auto outcome = fill(open);
+                ASSERT_TRUE(outcome) << outcome.error().message;
+                expect_closed_solid(*outcome);
+                expect_untouched(open, outcome->shape);
+                const HoleReport& hole = outcome->holes.front();
+                EXPECT_EQ(hole.method_used, "extend") << hole.reason;
+                EXPECT_LT(hole.max_gap, 1e-9);
+                EXPECT_LT(hole.max_angle, 1e-7);
+                EXPECT_EQ(hole.continuity_reached, Continuity::G2);
+                EXPECT_NEAR(area(outcome->shape), truth, 1e-4 * truth);
+                EXPECT_GT(volume(outcome->shape), 0.0);
+                EXPECT_EQ(largest_tolerance(outcome->shape), tolerance);
+            }
+        }
+    }
+}
+
+TEST(FillHoles, FillsSeveralHolesInOneRunAlsoTouchingOnes) {
+    const Body body = bodies().front();
+    for (const std::set<std::pair<int, int>>& missing :
+         {std::set<std::pair<int, int>>{{0, 0}, {2, 1}},
+          std::set<std::pair<int, int>>{{1, 0}, {2, 1}}}) {  // these share a vertex
+        SCOPED_TRACE(missing.begin()->first);
+        const TopoDS_Shape open = grids::shell_of(body.surface, body.us, body.vs, missing);
+        const auto outcome = fill(open);
+        ASSERT_TRUE(outcome) << outcome.error().message;
+        EXPECT_EQ(outcome->holes.size(), 2U);
+        EXPECT_EQ(outcome->new_faces.size(), 2U);
+        expect_closed_solid(*outcome);
+        EXPECT_NEAR(volume(outcome->shape), 2.0 * kPi * kPi * 5.0 * 1.5 * 1.5, 1e-4);
+    }
+}
+
+TEST(FillHoles, FillsOnlyTheHolesAskedForAndReportsTheOthersAsSkipped) {
+    const Body body = bodies().front();
+    const TopoDS_Shape open = grids::shell_of(body.surface, body.us, body.vs, {{0, 0}, {2, 1}});
+    FillRequest request;
+    request.holes = {{2}};
+    const auto outcome = fill(open, request);
+    ASSERT_TRUE(outcome) << outcome.error().message;
+    ASSERT_EQ(outcome->holes.size(), 2U);
+    EXPECT_EQ(outcome->holes[0].ids, std::vector<int>{2});
+    EXPECT_EQ(outcome->holes[0].status, FillStatus::Filled);
+    EXPECT_EQ(outcome->holes[1].ids, std::vector<int>{1});
+    EXPECT_EQ(outcome->holes[1].status, FillStatus::Skipped);
+    EXPECT_EQ(outcome->new_faces.size(), 1U);
+}
+
+TEST(FillHoles, FindsTheHoleOfAnEdge) {
+    const Body body = bodies().front();
+    const TopoDS_Shape open = grids::shell_of(body.surface, body.us, body.vs, {{0, 0}, {2, 1}});
+    const auto all = fill(open);
+    ASSERT_TRUE(all) << all.error().message;
+    ASSERT_EQ(all->holes.size(), 2U);
+    ASSERT_EQ(all->holes[1].sides.size(), 4U);
+    FillRequest request;
+    request.edges = {all->holes[1].sides[2].edge};
+    const auto one =
+        fill(grids::shell_of(body.surface, body.us, body.vs, {{0, 0}, {2, 1}}), request);
+    ASSERT_TRUE(one) << one.error().message;
+    EXPECT_EQ(one->holes[0].ids, all->holes[1].ids);
+    EXPECT_EQ(one->new_faces.size(), 1U);
+}
+
+TEST(FillHoles, IsTheSameInEveryOrientationAndScale) {
+    const TopoDS_Shape box = BRepPrimAPI_MakeBox(10.0, 12.0, 14.0).Shape();
+    BRepFilletAPI_MakeFillet fillet(box);
+    for (const TopoDS_Edge& edge : occ::edges_of(box)) {
+        fillet.Add(2.0, edge);
+    }
+    const TopoDS_Shape rounded = fillet.Shape();
+    int corner = -1;
+    int number = 0;
+    for (TopExp_Explorer it(rounded, TopAbs_FACE); it.More(); it.Next(), ++number) {
+        if (BRepAdaptor_Surface(TopoDS::Face(it.Current())).GetType() == GeomAbs_Sphere) {
+            corner = number;
+        }
+    }
+    ASSERT_GE(corner, 0);
+    const double truth = volume(rounded);
+    for (const double scale : {1e-3, 1.0, 1e3}) {
+        gp_Trsf size;
+        size.SetScale(gp_Pnt(0, 0, 0), scale);
+        gp_Trsf turn;
+        turn.SetRotation(gp_Ax1(gp_Pnt(1, 2, 3), gp_Dir(1, -1, 2)), 0.9);
+        const TopoDS_Shape moved =
+            BRepBuilderAPI_Transform(rounded, size * turn, Standard_True).Shape();
+        for (const bool reversed : {false, true}) {
+            SCOPED_TRACE(testing::Message() << "scale " << scale << " reversed " << reversed);
+            TopoDS_Shape open = grids::without_faces(moved, {corner});
+            open = reversed ? open.Reversed() : open;
+            FillRequest request;
+            request.tolerance.linear = 1e-3 * scale;
+            request.tolerance.angular = radians(2.0);
+            const auto outcome = fill(open, request);
+            ASSERT_TRUE(outcome) << outcome.error().message;
+            EXPECT_EQ(outcome->shape.ShapeType(), TopAbs_SOLID);
+            EXPECT_TRUE(outcome->holes[0].within_tolerance) << outcome->holes[0].reason;
+            // A corner holds an octant of a ball of radius 2: 0.26 % of the body.
+            EXPECT_NEAR(volume(outcome->shape) / std::pow(scale, 3), truth, 1e-4 * truth);
+        }
+    }
+}
+
+TEST(FillHoles, RefusesHolesAndEdgesThatDoNotExist) {
+    const TopoDS_Shape open = grids::without_faces(BRepPrimAPI_MakeBox(2.0, 3.0, 4.0).Shape(), {5});
+    FillRequest request;
+    request.holes = {{99}};
+    const auto hole = fill(open, request);
+    ASSERT_FALSE(hole);
+    EXPECT_EQ(hole.error().code, ErrorCode::Usage);
+    EXPECT_NE(hole.error().message.find("99"), std::string::npos);
+    request.holes.clear();
+    request.edges = {77};
+    const auto edge = fill(open, request);
+    ASSERT_FALSE(edge);
+    EXPECT_EQ(edge.error().code, ErrorCode::Usage);
+    request.edges.clear();
+    request.method = "magic";
+    const auto method = fill(open, request);
+    ASSERT_FALSE(method);
+    EXPECT_NE(method.error().message.find("extend"), std::string::npos);
+}
+
+TEST(FillHoles, HasNothingToDoOnAClosedSolid) {
+    const auto outcome = fill(BRepPrimAPI_MakeBox(2.0, 3.0, 4.0).Shape());
+    ASSERT_FALSE(outcome);
+    EXPECT_EQ(outcome.error().code, ErrorCode::NothingToDo);
+}
+
+TEST(FillHoles, ReportsARefusedHoleAndLeavesTheModelAsItWas) {
+    const Body body = bodies().front();
+    const TopoDS_Shape open = grids::shell_of(body.surface, body.us, body.vs, {{0, 0}});
+    FillRequest request;
+    request.method = "plane";
+    const auto outcome = fill(open, request);
+    ASSERT_TRUE(outcome) << outcome.error().message;
+    EXPECT_EQ(outcome->holes[0].status, FillStatus::Refused);
+    EXPECT_NE(outcome->holes[0].reason.find("not planar"), std::string::npos);
+    EXPECT_TRUE(outcome->shape.IsSame(open));
+}
+
+TEST(FillHoles, StopsWhenCancelled) {
+    const Body body = bodies().front();
+    const TopoDS_Shape open = grids::shell_of(body.surface, body.us, body.vs, {{0, 0}});
+    std::stop_source source;
+    source.request_stop();
+    FillRequest request;
+    request.progress.cancel = source.get_token();
+    const auto outcome = fill(open, request);
+    ASSERT_FALSE(outcome);
+    EXPECT_EQ(outcome.error().code, ErrorCode::Cancelled);
+}
+
+TEST(FillHoles, GivesOcctsFillingAsItIs) {
+    const Body body = bodies().front();
+    for (const PlateSetting setting : {PlateSetting::Default, PlateSetting::Tuned}) {
+        const TopoDS_Shape open = grids::shell_of(body.surface, body.us, body.vs, {{1, 1}});
+        FillRequest request;
+        request.method = "occt";
+        request.plate_setting = setting;
+        const auto outcome = fill(open, request);
+        ASSERT_TRUE(outcome) << outcome.error().message;
+        const HoleReport& hole = outcome->holes.front();
+        ASSERT_EQ(hole.status, FillStatus::Filled) << hole.reason;
+        EXPECT_EQ(outcome->shape.ShapeType(), TopAbs_SOLID);
+        EXPECT_GT(hole.patches.front().poles_u, 8);
+        EXPECT_LT(hole.max_angle, radians(2.0));
+        EXPECT_GT(hole.max_angle, radians(1e-5));  // it is no exact continuation
+    }
+}
+
+}  // namespace
+}  // namespace suture
