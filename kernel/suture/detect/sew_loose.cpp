@@ -1,6 +1,7 @@
 #include "suture/detect/sew_loose.h"
 
 #include "suture/detect/edge_field.h"
+#include "suture/detect/loose_faces.h"
 #include "suture/detect/seams.h"
 #include "suture/detect/sew_faces.h"
 #include "suture/detect/shell_graph.h"
@@ -24,100 +25,6 @@
 namespace suture {
 
 namespace {
-
-/// The smallest tolerance that is sewn with, as a share of the model's diagonal: room for numbers
-/// written with seven digits, as many IGES files have them.
-constexpr double kLeastTolerance = 1e-6;
-
-/// Sewing stays this many times below the smallest feature: the shortest edge, the narrowest slot.
-constexpr double kBelowFeatures = 4.0;
-
-/// Above the widest gap that is to be closed, since gaps are measured at some points of an edge.
-constexpr double kAboveGaps = 1.25;
-
-/// A face that shares no edge with another, and the compound of the model that it lies in. Faces
-/// of one compound are sewn first: in OpenVSP's files other compounds repeat the same edges.
-struct LooseFace {
-    TopoDS_Face face;
-    int group = 0;
-};
-
-struct Loose {
-    std::vector<LooseFace> faces;
-    std::vector<int> uses;  ///< their free edge uses
-    int free_edges = 0;     ///< of the whole shape
-    int groups = 0;
-};
-
-std::vector<bool> lies_alone(const ShellGraph& graph) {
-    std::vector<int> size(graph.components, 0);
-    std::vector<bool> open(graph.faces.size(), false);
-    for (const int component : graph.component) {
-        ++size[component];
-    }
-    for (const EdgeUse& use : graph.uses) {
-        open[use.face] = open[use.face] || use.free;
-    }
-    std::vector<bool> alone;
-    for (std::size_t i = 0; i < graph.faces.size(); ++i) {
-        alone.push_back(open[i] && size[graph.component[i]] == 1);
-    }
-    return alone;
-}
-
-void collect_groups(const TopoDS_Shape& shape, int group, const TopTools_IndexedMapOfShape& faces,
-                    std::vector<int>& group_of, int& groups) {
-    for (TopoDS_Iterator child(shape); child.More(); child.Next()) {
-        const TopoDS_Shape& part = child.Value();
-        if (part.ShapeType() == TopAbs_FACE) {
-            group_of[faces.FindIndex(part) - 1] = group;
-        } else if (part.ShapeType() < TopAbs_FACE) {
-            const int inner = part.ShapeType() == TopAbs_COMPOUND ? groups++ : group;
-            collect_groups(part, inner, faces, group_of, groups);
-        }
-    }
-}
-
-Loose find_loose(const TopoDS_Shape& shape, const ShellGraph& graph) {
-    TopTools_IndexedMapOfShape faces;
-    TopExp::MapShapes(shape, TopAbs_FACE, faces);
-    std::vector<int> group_of(graph.faces.size(), 0);
-    Loose loose;
-    loose.groups = 1;
-    collect_groups(shape, 0, faces, group_of, loose.groups);
-    const std::vector<bool> alone = lies_alone(graph);
-    for (std::size_t i = 0; i < graph.faces.size(); ++i) {
-        if (alone[i]) {
-            loose.faces.push_back({graph.faces[i], group_of[i]});
-        }
-    }
-    for (int i = 0; i < static_cast<int>(graph.uses.size()); ++i) {
-        loose.free_edges += graph.uses[i].free ? 1 : 0;
-        if (graph.uses[i].free && alone[graph.uses[i].face]) {
-            loose.uses.push_back(i);
-        }
-    }
-    return loose;
-}
-
-/// The widest gap that is a seam by its length and stays below the features.
-double choose_tolerance(const std::vector<EdgePartner>& partners, double model_diagonal) {
-    double feature = std::numeric_limits<double>::max();
-    for (const EdgePartner& edge : partners) {
-        feature = std::min(feature, edge.length);
-        if (!is_fold(edge)) {
-            feature = std::min(feature, edge.own_gap);
-        }
-    }
-    const double most = feature / kBelowFeatures;
-    double widest = 0.0;
-    for (const EdgePartner& edge : partners) {
-        if (is_seam(edge) && kAboveGaps * edge.gap <= most) {
-            widest = std::max(widest, edge.gap);
-        }
-    }
-    return std::min(most, std::max(kLeastTolerance * model_diagonal, kAboveGaps * widest));
-}
 
 /// Sews the loose faces of each group by themselves. The order of `faces` is kept.
 Result<std::vector<LooseFace>> sew_groups(const std::vector<LooseFace>& faces, double tolerance) {
@@ -299,6 +206,7 @@ Result<SewnShape> sew(const TopoDS_Shape& shape, double tolerance) {
     const std::vector<EdgePartner> partners = find_partners(graph, loose.uses);
     result.tolerance =
         tolerance > 0.0 ? tolerance : choose_tolerance(partners, occ::diagonal(shape));
+    set_membranes_apart(graph, result.tolerance, loose);
     Result<std::vector<LooseFace>> sewn = sew_groups(loose.faces, result.tolerance);
     if (sewn && merge_groups(*sewn, result.tolerance, loose.faces)) {
         sewn = sew_groups(loose.faces, result.tolerance);

@@ -16,6 +16,7 @@
 #include <Geom_TrimmedCurve.hxx>
 #include <gp_Circ.hxx>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -274,6 +275,28 @@ TEST(SewLoose, SewsTheFacesOfEachCompoundByThemselves) {
     TopExp::MapShapes(sewn.shape, TopAbs_SHELL, shells);
     EXPECT_EQ(shells.Extent(), 2);
     EXPECT_NEAR(volume(sewn.shape), 9.0 * 3.0 * 2.0, 1e-9);
+}
+
+TEST(SewLoose, LeavesASheetThatDividesABodyOutOfIt) {
+    // two boxes as one, the wall between them drawn once: a body of ten faces and a sheet
+    std::vector<TopoDS_Shape> parts;
+    for (const double x : {0.0, 4.0}) {
+        const TopoDS_Shape half = BRepPrimAPI_MakeBox(gp_Pnt(x, 0, 0), gp_Pnt(x + 4, 3, 2)).Shape();
+        for (const TopoDS_Face& face : occ::faces_of(test::loosened(half))) {
+            GProp_GProps properties;
+            BRepGProp::SurfaceProperties(face, properties);
+            if (std::abs(properties.CentreOfMass().X() - 4.0) > 1e-9 || x == 0.0) {
+                parts.push_back(face);
+            }
+        }
+    }
+    ASSERT_EQ(parts.size(), 11U);
+    for (int turn = 0; turn < 11; ++turn) {
+        std::rotate(parts.begin(), parts.begin() + 1, parts.end());
+        const SewnShape sewn = sew(test::compound_of(parts));
+        EXPECT_EQ(sewn.free_edges_after, 4);
+        EXPECT_EQ(census(sewn.shape), (Census{{"rim", 4}}));
+    }
 }
 
 TEST(SewLoose, SewsAcrossCompoundsWhatIsStillOpen) {
