@@ -149,8 +149,8 @@ void mate_uses(ShellGraph& graph) {
     }
     for (const std::vector<int>& uses : uses_of) {
         if (uses.size() == 1) {
-            // Also where the edge has two pcurves on the face's surface: faces on both sides of a seam
-            // can share that surface, and this one uses one of them.
+            // Also where the edge has two pcurves on the face's surface: faces on both sides of a
+            // seam can share that surface, and this one uses one of them.
             graph.uses[uses.front()].free = true;
         } else if (uses.size() == 2) {
             graph.uses[uses[0]].mate = uses[1];

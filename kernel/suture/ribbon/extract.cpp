@@ -55,10 +55,10 @@ struct Side {
 
 SurfaceJet jet_at(const Geom_Surface& surface, const Vector2d& uv) {
     gp_Pnt p;
-    gp_Vec u, v, uu, vv, uv_;
-    surface.D2(uv.x(), uv.y(), p, u, v, uu, vv, uv_);
+    gp_Vec u, v, uu, vv, mixed;
+    surface.D2(uv.x(), uv.y(), p, u, v, uu, vv, mixed);
     return {occ::from_occ(p),  occ::from_occ(u),   occ::from_occ(v),
-            occ::from_occ(uu), occ::from_occ(uv_), occ::from_occ(vv)};
+            occ::from_occ(uu), occ::from_occ(mixed), occ::from_occ(vv)};
 }
 
 bool singular(const SurfaceJet& jet, const Vector2d& extent) {

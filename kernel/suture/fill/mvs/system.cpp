@@ -17,6 +17,7 @@ namespace {
 constexpr int kQuadrature = 3;
 // The start: how much the speed across the boundary counts against position, and the flat energy.
 constexpr double kStartAcross = 1e-3;
+constexpr double kStartBending = 1e-6;
 constexpr double kStartEnergy = 1e-8;
 
 }  // namespace
@@ -148,7 +149,9 @@ System::Residuals System::residual_weights(std::size_t sample) const {
 
 Net System::start() const {
     BlockBand matrix(v_.count(), 3 * u_.count(), kDegree);
-    matrix.add(flat({0.0, 0.0, 0.0, 1.0}), kStartEnergy);
+    // A little second-order energy: on a circle whose sides ask for position only, the third-order
+    // energy leaves the paraboloid through it free.
+    matrix.add(flat({0.0, 0.0, kStartBending, 1.0}), kStartEnergy);
     Eigen::VectorXd right = Eigen::VectorXd::Zero(matrix.rows());
     for (const Span& span : spans_) {
         if (span.samples.empty()) {
