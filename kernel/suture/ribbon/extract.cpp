@@ -57,7 +57,7 @@ SurfaceJet jet_at(const Geom_Surface& surface, const Vector2d& uv) {
     gp_Pnt p;
     gp_Vec u, v, uu, vv, mixed;
     surface.D2(uv.x(), uv.y(), p, u, v, uu, vv, mixed);
-    return {occ::from_occ(p),  occ::from_occ(u),   occ::from_occ(v),
+    return {occ::from_occ(p),  occ::from_occ(u),     occ::from_occ(v),
             occ::from_occ(uu), occ::from_occ(mixed), occ::from_occ(vv)};
 }
 
