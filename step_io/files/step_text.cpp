@@ -108,7 +108,41 @@ class StepScanner {
     std::vector<Reference> references_;
 };
 
+/// Reads one letter of UTF-8 from `at` on, over line breaks that OCCT puts between its bytes.
+char32_t next_letter(const std::string& text, std::size_t& at) {
+    const auto byte = static_cast<unsigned char>(text[at++]);
+    const int more = byte >= 0xF0 ? 3 : byte >= 0xE0 ? 2 : 1;
+    char32_t letter = byte & (0x3FU >> static_cast<unsigned>(more));
+    for (int i = 0; i < more && at < text.size();) {
+        const auto next = static_cast<unsigned char>(text[at]);
+        if (next != '\n' && (next & 0xC0U) != 0x80U) {
+            break;  // no UTF-8: what is there of it
+        }
+        if (next != '\n') {
+            letter = (letter << 6U) | (next & 0x3FU);
+            ++i;
+        }
+        ++at;
+    }
+    return letter;
+}
+
 }  // namespace
+
+std::string encode_step_text(const std::string& text) {
+    std::string result;
+    result.reserve(text.size());
+    for (std::size_t at = 0; at < text.size();) {
+        if (static_cast<unsigned char>(text[at]) < 0x80U) {
+            result += text[at++];
+        } else if (const char32_t letter = next_letter(text, at); letter > 0xFFFF) {
+            result += fmt::format("\\X4\\{:08X}\\X0\\", static_cast<std::uint32_t>(letter));
+        } else {
+            result += fmt::format("\\X2\\{:04X}\\X0\\", static_cast<std::uint32_t>(letter));
+        }
+    }
+    return result;
+}
 
 Result<void> check_step_text(std::string_view text, const std::filesystem::path& file) {
     StepScanner scanner(text);

@@ -3,6 +3,7 @@
 #include "suture/base/result.h"
 
 #include <filesystem>
+#include <string>
 #include <string_view>
 
 namespace suture::io {
@@ -15,5 +16,9 @@ namespace suture::io {
 ///          another which the file does not hold.
 [[nodiscard]] Result<void> check_step_text(std::string_view text,
                                            const std::filesystem::path& file);
+
+/// The text of a STEP file as OCCT prints it, with UTF-8 in its strings, in ASCII as the standard
+/// wants it: \X2\00E4\X0\ for letters beyond. Backslashes stay as they are: OCCT reads two as two.
+[[nodiscard]] std::string encode_step_text(const std::string& text);
 
 }  // namespace suture::io

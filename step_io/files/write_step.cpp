@@ -1,6 +1,7 @@
 #include "files/write_step.h"
 
 #include "files/static_scope.h"
+#include "files/step_text.h"
 
 #include <APIHeaderSection_MakeHeader.hxx>
 #include <Interface_HArray1OfHAsciiString.hxx>
@@ -10,6 +11,8 @@
 #include <StepData_StepWriter.hxx>
 #include <TCollection_HAsciiString.hxx>
 #include <XSControl_WorkSession.hxx>
+
+#include <sstream>
 
 namespace suture::io {
 
@@ -73,9 +76,9 @@ Result<void> write_step(const ModelFile& model, const std::string& name, std::os
     write_header(model, name, entities);
     StepData_StepWriter text(entities);
     text.SendModel(occ::cast<StepData_Protocol>(writer.ChangeWriter().WS()->Protocol()));
-    if (!text.Print(stream)) {
-        return fail(ErrorCode::WriteFailed, "OCCT could not print the STEP file");
-    }
+    std::ostringstream printed;
+    text.Print(printed);
+    stream << encode_step_text(printed.str());
     return {};
 }
 

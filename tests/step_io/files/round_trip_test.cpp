@@ -102,6 +102,25 @@ TEST(RoundTrip, SaysWhoWroteTheFileAndKeepsItsAuthor) {
     EXPECT_EQ(origin.authorisation, model.origin.authorisation);
 }
 
+TEST(RoundTrip, KeepsNamesInAnyScriptInAsciiFiles) {
+    const Folder folder;
+    std::string long_name;
+    for (int i = 0; i < 60; ++i) {
+        long_name += "ä板'b\\";
+    }
+    for (const std::string& name : {std::string("Träger 板"), std::string("C:\\X2\\parts\\a"),
+                                    std::string("it's 100% \\"), long_name}) {
+        ModelFile model = model_of(BRepPrimAPI_MakeBox(30, 20, 5).Shape(), name);
+        model.origin.authors = {"Jürgen"};
+        write(model, folder / "named.step", Format::Step);
+        const std::string text = content(folder / "named.step");
+        EXPECT_TRUE(std::ranges::all_of(text, [](char c) { return c >= 0; })) << name;
+        const ModelFile again = read(folder / "named.step");
+        EXPECT_EQ(again.parts().front().name, name);
+        EXPECT_EQ(again.origin.authors, model.origin.authors);
+    }
+}
+
 TEST(RoundTrip, NamesAPartWithoutNameAfterTheFile) {
     const Folder folder;
     write(model_of(BRepPrimAPI_MakeBox(30, 20, 5).Shape(), ""), folder / "crate.brep",
