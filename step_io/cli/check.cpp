@@ -14,18 +14,17 @@
 namespace suture::cli {
 namespace {
 
-constexpr const char* kDescription =
+constexpr CommandHelp kHelp{
+    "Measure how smoothly the faces of a model meet",
     "Measure how smoothly the faces of a model meet: for every edge between two faces the gap, the "
     "angle between the two normals, and the curvature mismatch. An edge passes if its faces meet "
     "within the gap of the profile and if they are either tangent within its angle or clearly "
-    "sharp; what lies between is a near miss. Loose faces (IGES) are sewn first, in memory.";
-
-constexpr const char* kExamples =
+    "sharp; what lies between is a near miss. Loose faces (IGES) are sewn first, in memory.",
     "  suture check part.step                          every edge, against CATIA's limits\n"
     "  suture check part.step --edges 12,15-17         these edges only\n"
     "  suture check part.step --g1 0.1 --report r.html\n"
     "Exit codes: 0 all edges pass, 4 some are near misses, 2 the file cannot be read, 1 wrong "
-    "usage.\n";
+    "usage.\n"};
 
 struct CheckOptions {
     LoadOptions load;
@@ -209,7 +208,7 @@ Result<Outcome> check(Run& run, const Command& command, const CheckOptions& opti
 }  // namespace
 
 std::shared_ptr<Command> add_check(CLI::App& app) {
-    auto command = add_command(app, "check", kDescription, kExamples);
+    auto command = add_command(app, "check", kHelp);
     auto options = std::make_shared<CheckOptions>();
     add_input(*command);
     std::string names = "Limits by name:";

@@ -80,6 +80,7 @@ struct Command {
     CommonOptions common;
     std::filesystem::path input;
     std::vector<std::filesystem::path> outputs;  ///< known after validate
+    bool one_output = false;  ///< outputs has just the file that the user asked for
     std::function<Result<void>()> validate;
     std::function<Result<Outcome>(Run&)> run;
 };

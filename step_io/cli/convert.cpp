@@ -10,19 +10,18 @@
 namespace suture::cli {
 namespace {
 
-constexpr const char* kDescription =
+constexpr CommandHelp kHelp{
+    "Convert a model to another format, or to a mesh",
     "Convert a model to the format that the output's ending asks for: .step .stp, .iges .igs, "
     ".brep "
     "(and FreeCAD's .bin), or as a watertight mesh .stl .off .obj .3mf, for OpenSCAD's import() "
     "and "
-    "3D printing. Names, colours and the assembly tree stay where the format has a place for them.";
-
-constexpr const char* kExamples =
+    "3D printing. Names, colours and the assembly tree stay where the format has a place for them.",
     "  suture convert part.igs part.step --sew      loose faces become shells and solids\n"
     "  suture convert part.step part.3mf            a mesh for printing\n"
     "  suture convert part.step part.stl --deflection 0.01\n"
     "Exit codes: 0 done, 2 the file cannot be read, 1 wrong usage, 5 the output cannot be "
-    "written.\n";
+    "written.\n"};
 
 struct ConvertOptions {
     std::filesystem::path output;
@@ -39,6 +38,7 @@ Result<void> validate(Command& command, ConvertOptions& options) {
     }
     options.format = *format;
     command.outputs = {options.output};
+    command.one_output = true;
     if (options.load.sew_tolerance) {
         options.load.sew = true;
     }
@@ -120,7 +120,7 @@ io::MeshOptions to_io(const MeshSettings& mesh) {
 }
 
 std::shared_ptr<Command> add_convert(CLI::App& app) {
-    auto command = add_command(app, "convert", kDescription, kExamples);
+    auto command = add_command(app, "convert", kHelp);
     auto options = std::make_shared<ConvertOptions>();
     add_input(*command);
     CLI::App& sub = *command->app;

@@ -17,14 +17,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kDescription =
+constexpr CommandHelp kHelp{
+    "Fill the bundled examples with every method",
     "Fill the bundled examples with every method that applies, write the results as STEP files, a "
-    "report to look at in a browser, and a table. Nothing needs to be prepared.";
-
-constexpr const char* kExamples =
+    "report to look at in a browser, and a table. Nothing needs to be prepared.",
     "  suture demo                  writes into the folder suture-demo\n"
     "  suture demo --out /tmp/demo  somewhere else\n"
-    "Exit codes: 0 done, 4 `auto` left a hole open or out of tolerance, 1 wrong usage.\n";
+    "Exit codes: 0 done, 4 `auto` left a hole open or out of tolerance, 1 wrong usage.\n"};
 
 struct DemoOptions {
     fs::path out = "suture-demo";
@@ -184,7 +183,7 @@ Result<void> validate(Command& command, const fs::path& out) {
 }  // namespace
 
 std::shared_ptr<Command> add_demo(CLI::App& app) {
-    auto command = add_command(app, "demo", kDescription, kExamples);
+    auto command = add_command(app, "demo", kHelp);
     auto options = std::make_shared<DemoOptions>();
     command->app->add_option("-o,--out", options->out, "Folder for the results, made if need be")
         ->option_text("DIR");

@@ -12,13 +12,12 @@
 namespace suture::cli {
 namespace {
 
-constexpr const char* kDescription =
+constexpr CommandHelp kHelp{
+    "Fill the holes of a model with smooth faces",
     "Fill the holes of a model with smooth B-spline faces, sew them in, and write the model. The "
     "faces around a hole, their edges and their names and colours stay as they are. The result is "
     "read again from the written file and measured there; what is out of tolerance or refused is "
-    "written all the same, and the report and the exit code say so.";
-
-constexpr const char* kExamples =
+    "written all the same, and the report and the exit code say so.",
     "  suture fill part.step -o filled.step                   all holes, the best method for each\n"
     "  suture fill part.step -o filled.step --hole 2 5        two of those that `inspect` lists\n"
     "  suture fill part.step -o filled.step --hole 3+4        one face with an island\n"
@@ -27,7 +26,7 @@ constexpr const char* kExamples =
     "  suture fill wing.igs -o wing.step --report wing.html   loose faces are sewn first\n"
     "  suture fill part.step -o part.3mf --deflection 0.02    a watertight mesh\n"
     "Exit codes: 0 done, 4 done but out of tolerance or some hole refused, 3 no hole (nothing is "
-    "written),\n2 the file cannot be read, 1 wrong usage, 5 the output could not be written.\n";
+    "written),\n2 the file cannot be read, 1 wrong usage, 5 the output could not be written.\n"};
 
 struct FillOptions {
     std::filesystem::path output;
@@ -116,6 +115,7 @@ Result<void> validate_fill(Command& command, FillOptions& options) {
     settings.input = command.input;
     settings.output = options.output;
     command.outputs = {options.output};
+    command.one_output = true;
     if (auto format = take(io::format_of_extension(options.output), settings.format); !format) {
         return format;
     }
@@ -175,7 +175,7 @@ void add_wishes(CLI::App& app, FillOptions& options) {
 }  // namespace
 
 std::shared_ptr<Command> add_fill(CLI::App& app) {
-    auto command = add_command(app, "fill", kDescription, kExamples);
+    auto command = add_command(app, "fill", kHelp);
     auto options = std::make_shared<FillOptions>();
     add_input(*command);
     CLI::App& sub = *command->app;

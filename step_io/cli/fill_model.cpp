@@ -100,6 +100,7 @@ class FillJob {
             model_.file.replace(part.part, outcome->shape, {});
             filled_.push_back({&part, std::move(*outcome)});
         }
+        summary_.seconds.fill_step = watch.seconds();
         return {};
     }
 

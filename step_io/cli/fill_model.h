@@ -24,8 +24,10 @@ struct FillSettings {
 
 /// Seconds per step, for the report.
 struct FillSeconds {
-    double read = 0.0, detect = 0.0, fill = 0.0, sew = 0.0, check = 0.0, write = 0.0;
-    double reread = 0.0;  ///< the part of `check` that reads the output again
+    double read = 0.0, detect = 0.0, sew = 0.0, check = 0.0, write = 0.0;
+    double fill = 0.0;       ///< within the fill methods
+    double reread = 0.0;     ///< the part of `check` that reads the output again
+    double fill_step = 0.0;  ///< the whole step: choosing, trying, `fill`, faces, joining
 };
 
 /// What has become of a model. The figures of the holes, and `validity`, are measured on the

@@ -5,6 +5,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <numeric>
 
 namespace suture::cli {
 namespace {
@@ -47,38 +49,40 @@ std::string poles_of(const HoleReport& hole) {
 }
 
 /// Refused holes first, then the worst, then what was not asked for.
-std::vector<const HoleReport*> worst_first(const std::vector<HoleReport>& holes) {
-    std::vector<const HoleReport*> order;
-    for (const HoleReport& hole : holes) {
-        order.push_back(&hole);
-    }
-    const auto rank = [](const HoleReport* hole) {
+std::vector<std::size_t> worst_first(const std::vector<HoleReport>& holes,
+                                     const Tolerance& tolerance) {
+    std::vector<std::size_t> order(holes.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    // What is far below the tolerance is equally good; such holes stay in their order.
+    const auto steps = [](double value, double limit) { return std::floor(10.0 * value / limit); };
+    const auto rank = [&](std::size_t index) {
+        const HoleReport* hole = &holes[index];
         const int group = hole->status == FillStatus::Refused   ? 0
                           : hole->status == FillStatus::Skipped ? 3
                           : hole->within_tolerance              ? 2
                                                                 : 1;
-        return std::tuple(group, -hole->max_angle, -hole->max_gap);
+        return std::tuple(group, -steps(hole->max_angle, tolerance.angular),
+                          -steps(hole->max_gap, tolerance.linear));
     };
     std::stable_sort(order.begin(), order.end(),
-                     [&](const auto* a, const auto* b) { return rank(a) < rank(b); });
+                     [&](std::size_t a, std::size_t b) { return rank(a) < rank(b); });
     return order;
 }
 
-std::vector<std::string> row_of(const HoleReport& hole) {
-    const std::string sides = hole.sides.empty() ? "" : std::to_string(hole.sides.size());
+std::vector<std::string> row_of(const HoleReport& hole, int sides) {
     if (hole.status != FillStatus::Filled) {
-        return {ids_of(hole), sides,
-                "",           "",
-                "",           "",
-                "",           "",
-                "",           fmt::format("{}: {}", to_string(hole.status), hole.reason)};
+        std::vector<std::string> row(11);
+        row.front() = ids_of(hole);
+        row[1] = std::to_string(sides);
+        row.back() = fmt::format("{}: {}", to_string(hole.status), hole.reason);
+        return row;
     }
     return {ids_of(hole),
-            sides,
+            std::to_string(sides),
             hole.method_used,
             poles_of(hole),
-            fmt::format("{} of {}", to_string(hole.continuity_reached),
-                        to_string(hole.continuity_requested)),
+            std::string(to_string(hole.continuity_requested)),
+            std::string(to_string(hole.continuity_reached)),
             short_number(hole.max_gap),
             short_number(degrees(hole.max_angle)),
             short_number(100.0 * hole.max_curvature_mismatch),
@@ -86,21 +90,22 @@ std::vector<std::string> row_of(const HoleReport& hole) {
             hole.within_tolerance ? "filled" : "filled, out of tolerance"};
 }
 
-Section hole_section(const FillSummary& summary) {
+Section hole_section(const FillSummary& summary, const Tolerance& tolerance) {
     Section section{"Holes",
-                    Table({">hole", ">sides", "method", "surface", "reached", ">gap [mm]",
+                    Table({">hole", ">sides", "method", "surface", "asked", "reached", ">gap [mm]",
                            ">angle [deg]", ">curvature [%]", ">s", "result"}),
                     {}};
-    for (const HoleReport* hole : worst_first(summary.holes)) {
-        section.table.add(row_of(*hole));
-        if (hole->status != FillStatus::Filled) {
+    for (const std::size_t index : worst_first(summary.holes, tolerance)) {
+        const HoleReport& hole = summary.holes[index];
+        section.table.add(row_of(hole, summary.sides[index]));
+        if (hole.status != FillStatus::Filled) {
             continue;
         }
-        if (!hole->reason.empty()) {
-            section.notes.push_back(fmt::format("hole {}: {}", ids_of(*hole), hole->reason));
+        if (!hole.reason.empty()) {
+            section.notes.push_back(fmt::format("hole {}: {}", ids_of(hole), hole.reason));
         }
-        for (const std::string& note : hole->notes) {
-            section.notes.push_back(fmt::format("hole {}: {}", ids_of(*hole), note));
+        for (const std::string& note : hole.notes) {
+            section.notes.push_back(fmt::format("hole {}: {}", ids_of(hole), note));
         }
     }
     return section;
@@ -166,9 +171,9 @@ std::string verdict_of(const Counts& counts, const FillSummary& summary,
 }
 
 Json json_of_seconds(const FillSeconds& seconds) {
-    return {{"read", seconds.read},    {"detect", seconds.detect}, {"fill", seconds.fill},
-            {"sew", seconds.sew},      {"check", seconds.check},   {"write", seconds.write},
-            {"reread", seconds.reread}};
+    return {{"read", seconds.read},     {"detect", seconds.detect},      {"fill", seconds.fill},
+            {"sew", seconds.sew},       {"check", seconds.check},        {"write", seconds.write},
+            {"reread", seconds.reread}, {"fill_step", seconds.fill_step}};
 }
 
 }  // namespace
@@ -180,7 +185,7 @@ Outcome report_fill(const FillSummary& summary, const FillSettings& settings) {
     const bool good = counts.refused == 0 && counts.out_of_tolerance == 0 && summary.validity.valid;
     outcome.exit_code = good ? kDone : kOutOfTolerance;
     outcome.verdict = verdict_of(counts, summary, settings);
-    outcome.sections.push_back(hole_section(summary));
+    outcome.sections.push_back(hole_section(summary, tolerance));
     Section sides = side_section(summary, tolerance);
     if (!sides.table.empty()) {
         outcome.sections.push_back(std::move(sides));

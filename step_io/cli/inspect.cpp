@@ -12,18 +12,17 @@
 namespace suture::cli {
 namespace {
 
-constexpr const char* kDescription =
+constexpr CommandHelp kHelp{
+    "List the holes of a model",
     "List the holes of a model: which edges and faces bound them, how large they are, and how "
     "their "
     "corners meet. Nothing is changed. Rims of open sheets and unsewn seams are listed apart: they "
     "are no holes. Loose faces (IGES) are sewn first, in memory; edge and face numbers are then "
-    "those of the sewn model.";
-
-constexpr const char* kExamples =
+    "those of the sewn model.",
     "  suture inspect part.step             the holes of a model\n"
     "  suture inspect part.step --json      the same for a program\n"
     "  suture inspect wing.igs --sew-tolerance 0.05\n"
-    "Exit codes: 0 there are holes, 3 there is none, 2 the file cannot be read, 1 wrong usage.\n";
+    "Exit codes: 0 there are holes, 3 there is none, 2 the file cannot be read, 1 wrong usage.\n"};
 
 Eigen::Vector3d placed(const Eigen::Vector3d& point, const TopLoc_Location& placement) {
     gp_Pnt p(point.x(), point.y(), point.z());
@@ -64,6 +63,11 @@ std::string neighbours_of(const BoundaryLoop& loop) {
     return ranges(std::move(faces));
 }
 
+/// Below a millionth of a degree there is only rounding.
+std::string mismatch_text(double mismatch) {
+    return degrees(mismatch) < 1e-6 ? "0" : short_number(degrees(mismatch));
+}
+
 /// The table of the holes, or of the loops that are none.
 class LoopTables {
   public:
@@ -79,8 +83,8 @@ class LoopTables {
         if (is_hole) {
             hole_table_.add({std::to_string(loop.id), std::to_string(loop.edges.size()),
                              short_number(loop.diameter), loop.planar ? "yes" : "no",
-                             corners.empty() ? "-" : short_number(degrees(mismatch)),
-                             edges_of_loop(loop), neighbours_of(loop), where});
+                             corners.empty() ? "-" : mismatch_text(mismatch), edges_of_loop(loop),
+                             neighbours_of(loop), where});
         } else {
             other_table_.add({std::to_string(loop.id), std::string(to_string(loop.kind)),
                               std::to_string(loop.edges.size()), short_number(loop.diameter),
@@ -168,7 +172,7 @@ Result<Outcome> inspect(Run& run, const Command& command, const LoadOptions& opt
 }  // namespace
 
 std::shared_ptr<Command> add_inspect(CLI::App& app) {
-    auto command = add_command(app, "inspect", kDescription, kExamples);
+    auto command = add_command(app, "inspect", kHelp);
     auto options = std::make_shared<LoadOptions>();
     add_input(*command);
     add_reports(*command);

@@ -35,7 +35,7 @@ constexpr const char* kFooter =
     "tolerance or some hole refused, 5 internal error or output not written, 130/143 interrupted.";
 
 /// More rows than a screen has are no help; the reports have them all.
-constexpr std::size_t kTerminalRows = 25;
+constexpr std::size_t kTerminalRows = 60;
 
 std::string text_of(const Outcome& outcome) {
     std::string text;
@@ -89,24 +89,36 @@ void silence_occt(bool verbose) {
     }
 }
 
+/// What ends here as an exception is a bug of ours: a line and an exit code all the same.
+Result<Outcome> run_command(Command& command, Run& run) {
+    try {
+        return occ::guarded("suture " + command.name, [&]() -> Result<Outcome> {
+            silence_occt(command.common.verbose);
+            Result<Outcome> result = command.run(run);
+            if (!result) {
+                return result;
+            }
+            const Result<void> written = write_reports(command, *result);
+            if (!written) {
+                return tl::unexpected(written.error());
+            }
+            return result;
+        });
+    } catch (const ContractViolation& violation) {
+        return fail(ErrorCode::Internal, "a bug in Suture, please report it: {}", violation.what());
+    }
+}
+
 /// The job: in the supervised process.
 int run_job(Command& command, const StageLine& line, std::stop_token cancel) {
     const ResultStream out(command.common.verbose);
     set_up_log(command.common.verbose);
     Run run(line, std::move(cancel), command.common.progress);
-    const Result<Outcome> outcome =
-        occ::guarded(std::string("suture ") + command.name, [&]() -> Result<Outcome> {
-            silence_occt(command.common.verbose);
-            Result<Outcome> result = command.run(run);
-            if (result) {
-                const Result<void> written = write_reports(command, *result);
-                if (!written) {
-                    return tl::unexpected(written.error());
-                }
-            }
-            return result;
-        });
+    const Result<Outcome> outcome = run_command(command, run);
     run.display().clear();
+    if (!outcome && outcome.error().code == ErrorCode::Cancelled) {
+        return kInterrupted;  // the supervisor knows why, and says it
+    }
     if (!outcome) {
         return print_failure(command, outcome.error(), exit_code(outcome.error().code),
                              [&](std::string_view text) { out.print(text); });
@@ -117,7 +129,7 @@ int run_job(Command& command, const StageLine& line, std::stop_token cancel) {
 
 /// Whether the output is there although the run did not come to its end.
 std::string what_is_written(const Command& command, const Ending& ending) {
-    if (command.outputs.empty()) {
+    if (!command.one_output) {
         return "";
     }
     return ending.stage == Stage::Checking
@@ -185,7 +197,7 @@ int run_program(const std::vector<std::string>& words) {
     app.set_version_flag("--version", "suture " SUTURE_VERSION);
     app.footer(kFooter);
     app.require_subcommand(1);
-    app.get_formatter()->column_width(34);
+    app.formatter(std::make_shared<HelpFormatter>());  // the commands inherit it
     const std::vector<std::shared_ptr<Command>> commands{add_inspect(app), add_fill(app),
                                                          add_check(app),   add_convert(app),
                                                          add_methods(app), add_demo(app)};

@@ -10,14 +10,13 @@
 namespace suture::cli {
 namespace {
 
-constexpr const char* kDescription =
+constexpr CommandHelp kHelp{
+    "List the fill methods",
     "List the fill methods: what `suture fill --method` takes, for which holes each is, how "
-    "smoothly it can join, and where it comes from.";
-
-constexpr const char* kExamples =
+    "smoothly it can join, and where it comes from.",
     "  suture methods                    the table\n"
     "  suture methods --json             for a program\n"
-    "  suture fill part.step -o filled.step --method extend\n";
+    "  suture fill part.step -o filled.step --method extend\n"};
 
 Outcome list_methods() {
     Section section{"", Table({"method", "what it does", "sides", "up to", "source"}), {}};
@@ -67,7 +66,7 @@ Result<void> expect_method(std::string_view id) {
 }
 
 std::shared_ptr<Command> add_methods(CLI::App& app) {
-    auto command = add_command(app, "methods", kDescription, kExamples);
+    auto command = add_command(app, "methods", kHelp);
     command->run = [](Run&) -> Result<Outcome> { return list_methods(); };
     return command;
 }

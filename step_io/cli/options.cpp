@@ -2,14 +2,49 @@
 
 #include "cli/arguments.h"
 
+#include <sstream>
+
 namespace suture::cli {
+namespace {
+
+constexpr std::size_t kHelpWidth = 100;
+constexpr std::size_t kOptionColumn = 34;
+
+/// Breaks a text into lines of at most `width` letters, between words.
+std::string wrapped(const std::string& text, std::size_t width) {
+    std::string result;
+    std::size_t line = 0;
+    std::istringstream words(text);
+    for (std::string word; words >> word;) {
+        if (line > 0 && line + 1 + word.size() > width) {
+            result += '\n';
+            line = 0;
+        } else if (line > 0) {
+            result += ' ';
+            ++line;
+        }
+        result += word;
+        line += word.size();
+    }
+    return result;
+}
+
+}  // namespace
+
+HelpFormatter::HelpFormatter() {
+    column_width(kOptionColumn);
+}
+
+std::string HelpFormatter::make_option_desc(const CLI::Option* option) const {
+    return wrapped(option->get_description(), kHelpWidth - kOptionColumn);
+}
 
 std::shared_ptr<Command> add_command(CLI::App& app, const std::string& name,
-                                     const std::string& description, const std::string& examples) {
+                                     const CommandHelp& help) {
     auto command = std::make_shared<Command>();
     command->name = name;
-    command->app = app.add_subcommand(name, description);
-    command->app->footer("Examples:\n" + examples);
+    command->app = app.add_subcommand(name, help.title);
+    command->app->footer(wrapped(help.description, kHelpWidth) + "\n\nExamples:\n" + help.examples);
     CommonOptions& common = command->common;
     command->app->add_flag("--json", common.json,
                            "Print one JSON document on stdout, and nothing else there");
@@ -57,7 +92,8 @@ void add_sewing(Command& command, LoadOptions& options) {
         ->add_option("--sew-tolerance", options.sew_tolerance,
                      "Sew loose faces whose edges lie closer than this (default: from the model)")
         ->option_text("MM");
-    command.app->add_flag("!--no-sew", options.sew, "Leave loose faces as they are");
+    command.app->add_flag_callback(
+        "--no-sew", [&options] { options.sew = false; }, "Leave loose faces as they are");
 }
 
 Result<void> validate_sewing(const LoadOptions& options) {

@@ -7,11 +7,23 @@
 
 namespace suture::cli {
 
-/// A command of the app with the options that all commands have. Shown by --help: what it does
-/// (`description`), then its options, then `examples`.
+/// CLI11's help, with long descriptions broken into lines.
+class HelpFormatter : public CLI::Formatter {
+  public:
+    HelpFormatter();
+    std::string make_option_desc(const CLI::Option* option) const override;
+};
+
+/// What the help of a command says.
+struct CommandHelp {
+    const char* title;        ///< one line, also in the list of commands
+    const char* description;  ///< one paragraph
+    const char* examples;     ///< lines, and the exit codes
+};
+
+/// A command of the app with the options that all commands have.
 [[nodiscard]] std::shared_ptr<Command> add_command(CLI::App& app, const std::string& name,
-                                                   const std::string& description,
-                                                   const std::string& examples);
+                                                   const CommandHelp& help);
 
 /// IN and --read-timeout
 void add_input(Command& command);

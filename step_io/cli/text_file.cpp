@@ -19,7 +19,7 @@ Result<void> write_text_file(const fs::path& file, std::string_view text) {
 
 void remove_temporaries(const fs::path& output, int process) {
     std::error_code error;
-    const fs::path folder = fs::weakly_canonical(output, error).parent_path();
+    const fs::path folder = fs::weakly_canonical(fs::absolute(output, error), error).parent_path();
     const std::string prefix = fmt::format(".suture-{}-", process);
     for (const auto& entry : fs::directory_iterator(folder, error)) {
         if (entry.path().filename().string().starts_with(prefix)) {

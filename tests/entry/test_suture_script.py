@@ -6,6 +6,7 @@ import shutil
 import statistics
 import subprocess
 import tempfile
+import time
 import unittest
 from pathlib import Path
 
@@ -76,6 +77,7 @@ class SutureScript(unittest.TestCase):
 
     def test_a_newer_source_is_built(self):
         self.run_suture()
+        time.sleep(0.05)  # the file system's clock ticks every few milliseconds
         (self.root / "kernel/suture/base/result.h").write_text("// new\n", encoding="utf-8")
         self.run_suture()
         self.run_suture()
@@ -83,6 +85,7 @@ class SutureScript(unittest.TestCase):
 
     def test_a_deleted_source_is_built(self):
         self.run_suture()
+        time.sleep(0.05)  # the file system's clock ticks every few milliseconds
         (self.root / "kernel/suture/base/result.h").unlink()
         self.run_suture()
         self.assertEqual(self.builds(), ["run", "run"])

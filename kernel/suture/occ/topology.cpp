@@ -23,7 +23,7 @@ std::optional<TopLoc_Location> placement_of(const TopoDS_Shape& part, const Topo
     }
     if (whole.ShapeType() == TopAbs_COMPOUND) {  // below a solid or a shell there is no part
         for (TopoDS_Iterator child(whole); child.More(); child.Next()) {
-            if (const auto found = placement_of(part, child.Value())) {
+            if (auto found = placement_of(part, child.Value())) {
                 return found;
             }
         }

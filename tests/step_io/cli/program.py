@@ -2,8 +2,10 @@
 
 import json
 import os
+import re
 import shutil
 import subprocess
+import sys
 import tempfile
 import unittest
 from pathlib import Path
@@ -38,6 +40,41 @@ def run(*words, timeout=120, **options):
 
 def example(name):
     return EXAMPLES / f"{name}.step"
+
+
+def write_slow_brep(folder, copies=3000):
+    """A valid text BREP with so many unused curves that OCCT takes seconds to read it."""
+    plain = folder / "plain.brep"
+    finished = run("convert", example("bump_window"), plain)
+    assert finished.code == DONE, str(finished)
+    text = plain.read_text()
+    plain.unlink()
+    curves = re.search(r"\nCurves (\d+)\n(.*?\n)(?=Polygon3D)", text, re.DOTALL)
+    slow = folder / "slow.brep"
+    with slow.open("w") as file:
+        file.write(text[: curves.start()])
+        file.write(f"\nCurves {int(curves[1]) * copies}\n")
+        for _ in range(copies):
+            file.write(curves[2])
+        file.write(text[curves.end() :])
+    return slow
+
+
+def write_many_holes(folder, count=60):
+    """A model of many parts with a hole each: the first hole of part i lies at 100 i along x."""
+    sys.path.append("/usr/lib/freecad-python3/lib")
+    import FreeCAD
+    import Part
+
+    part = Part.read(str(example("suitcase_corner")))
+    copies = []
+    for i in range(count):
+        copy = part.copy()
+        copy.translate(FreeCAD.Vector(100 * i, 0, 0))
+        copies.append(copy)
+    file = folder / "many.step"
+    Part.makeCompound(copies).exportStep(str(file))
+    return file
 
 
 class Case(unittest.TestCase):

@@ -13,7 +13,7 @@ using testing::Not;
 
 TEST(HtmlReport, EscapesWhatComesFromFiles) {
     CLI::App app;
-    const auto command = add_command(app, "inspect", "", "");
+    const auto command = add_command(app, "inspect", {"", "", ""});
     command->input = "/tmp/<script>.step";
     Outcome outcome;
     outcome.verdict = "a < b & \"c\"";
@@ -29,7 +29,7 @@ TEST(HtmlReport, EscapesWhatComesFromFiles) {
 
 TEST(HtmlReport, HasEveryRow) {
     CLI::App app;
-    const auto command = add_command(app, "check", "", "");
+    const auto command = add_command(app, "check", {"", "", ""});
     Outcome outcome;
     outcome.sections.push_back({"Edges", Table({">edge"}), {}});
     for (int i = 0; i < 300; ++i) {

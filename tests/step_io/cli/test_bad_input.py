@@ -9,10 +9,12 @@ from program import (
     DONE,
     INTERNAL,
     UNREADABLE,
+    OUT_OF_TOLERANCE,
     USAGE,
     Case,
     example,
     run,
+    write_slow_brep,
 )
 
 OLD = b"what was there before\n"
@@ -88,7 +90,8 @@ class BadInput(Case):
             lines = whole.replace(f"= {entity}(", f"= {entity}_NO_MORE(", 1)
             source = self.write("wrong.step", lines)
             finished = self.fill(source)
-            self.assertIn(finished.code, (UNREADABLE, DONE), str(finished))
+            # OCCT may drop what it does not find, and read the rest.
+            self.assertIn(finished.code, (UNREADABLE, DONE, OUT_OF_TOLERANCE), str(finished))
             if finished.code == UNREADABLE:
                 self.expect_refused(finished, UNREADABLE, "wrong.step")
                 self.assertEqual(self.output.read_bytes(), OLD)
@@ -134,18 +137,13 @@ class BadInput(Case):
 
 class SlowRead(Case):
     def test_reading_is_given_up_after_the_time_limit(self):
-        # A text BREP that announces two billion curves keeps OCCT's reader busy for a long time.
-        brep = self.folder / "box.brep"
-        self.expect(run("convert", example("box_without_lid"), brep), DONE)
-        slow = self.folder / "slow.brep"
-        text = brep.read_text()
-        self.assertRegex(text, r"Curves \d+")
-        begin = text.index("\nCurves ")
-        end = text.index("\n", begin + 1)
-        curves = text[end:text.index("\nPolygon3D")]
-        slow.write_text(text[:begin] + "\nCurves 200000000" + curves * 4000)
-        finished = run("inspect", slow, "--read-timeout", "1", timeout=30)
-        self.expect_refused(finished, UNREADABLE, "slow.brep", "1 s", "--read-timeout")
+        slow = write_slow_brep(self.folder)
+        finished = run("inspect", slow, "--read-timeout", "0.5", timeout=30)
+        self.expect_refused(finished, UNREADABLE, "slow.brep", "0.5 s", "--read-timeout")
+
+    def test_slow_file_is_read_in_the_end(self):
+        slow = write_slow_brep(self.folder)
+        self.expect(run("inspect", slow), DONE)
 
     def test_fifo_does_not_block_for_ever(self):
         fifo = self.folder / "pipe.step"
@@ -194,7 +192,7 @@ class BadOutput(Case):
         disk = self.folder / "disk"
         disk.mkdir()
         mount = subprocess.run(
-            ["mount", "-t", "tmpfs", "-o", "size=64k", "tmpfs", disk],
+            ["mount", "-t", "tmpfs", "-o", "size=16k", "tmpfs", disk],
             capture_output=True,
             check=False,
         )
@@ -219,7 +217,9 @@ class BadOutput(Case):
         if mount.returncode != 0:
             self.skipTest("no right to mount a small disk: " + mount.stderr.decode().strip())
         self.addCleanup(subprocess.run, ["umount", disk], check=False)
-        finished = self.fill(self.folder / "out.step", "--report", disk / "r.json")
+        finished = self.fill(
+            self.folder / "out.step", "--report", disk / "r.json", name="bump_window"
+        )
         self.expect_refused(finished, INTERNAL, "r.json")
         self.assertEqual(os.listdir(disk), [])
 
