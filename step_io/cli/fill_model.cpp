@@ -77,6 +77,7 @@ class FillJob {
     }
 
     Result<void> fill() {
+        const Stopwatch watch;
         const double share =
             (kFilled - kFound) / static_cast<double>(std::max<std::size_t>(1, requests_.size()));
         double from = kFound;
