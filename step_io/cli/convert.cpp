@@ -13,10 +13,9 @@ namespace {
 constexpr CommandHelp kHelp{
     "Convert a model to another format, or to a mesh",
     "Convert a model to the format that the output's ending asks for: .step .stp, .iges .igs, "
-    ".brep "
-    "(and FreeCAD's .bin), or as a watertight mesh .stl .off .obj .3mf, for OpenSCAD's import() "
-    "and "
-    "3D printing. Names, colours and the assembly tree stay where the format has a place for them.",
+    ".brep (and FreeCAD's .bin), or as a watertight mesh .stl .off .obj .3mf, for OpenSCAD's "
+    "import() and 3D printing. Names, colours and the assembly tree stay where the format has a "
+    "place for them.",
     "  suture convert part.igs part.step --sew      loose faces become shells and solids\n"
     "  suture convert part.step part.3mf            a mesh for printing\n"
     "  suture convert part.step part.stl --deflection 0.01\n"

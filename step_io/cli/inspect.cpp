@@ -15,10 +15,9 @@ namespace {
 constexpr CommandHelp kHelp{
     "List the holes of a model",
     "List the holes of a model: which edges and faces bound them, how large they are, and how "
-    "their "
-    "corners meet. Nothing is changed. Rims of open sheets and unsewn seams are listed apart: they "
-    "are no holes. Loose faces (IGES) are sewn first, in memory; edge and face numbers are then "
-    "those of the sewn model.",
+    "their corners meet. Nothing is changed. Rims of open sheets and unsewn seams are listed "
+    "apart: they are no holes. Loose faces (IGES) are sewn first, in memory; edge and face "
+    "numbers are then those of the sewn model.",
     "  suture inspect part.step             the holes of a model\n"
     "  suture inspect part.step --json      the same for a program\n"
     "  suture inspect wing.igs --sew-tolerance 0.05\n"

@@ -20,21 +20,30 @@ std::string reason(int error) {
     return std::generic_category().message(error);
 }
 
-/// A new file with a name of its own, gone at the end unless it was renamed. Its stream keeps the
-/// first error, which std::ofstream forgets.
+/// A new file without a name where the file system has such, so that nothing is left of it even
+/// when the process is killed; else with a name of its own. Gone at the end unless it was moved.
+/// Its stream keeps the first error, which std::ofstream forgets.
 class TemporaryFile : public std::streambuf {
   public:
     explicit TemporaryFile(const fs::path& beside) {
         static std::atomic<int> count = 0;
         path_ =
             beside.parent_path() / fmt::format(".suture-{}-{}.tmp", ::getpid(), count.fetch_add(1));
-        file_ = ::open(path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+        if (::access("/proc/self/fd", X_OK) == 0) {  // the way to a name later on
+            file_ = ::open(beside.parent_path().c_str(), O_WRONLY | O_TMPFILE | O_CLOEXEC, 0666);
+        }
+        if (file_ < 0) {
+            file_ = ::open(path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+            named_ = file_ >= 0;
+        }
         error_ = file_ < 0 ? errno : 0;
         setp(buffer_.data(), buffer_.data() + buffer_.size());
     }
     ~TemporaryFile() override {
         if (file_ >= 0) {
             ::close(file_);
+        }
+        if (named_) {
             ::unlink(path_.c_str());
         }
     }
@@ -51,13 +60,16 @@ class TemporaryFile : public std::streambuf {
             check(::fchmod(file_, old.st_mode & 07777));
         }
         check(::fsync(file_));
+        if (error_ == 0 && !named_) {
+            check(::linkat(AT_FDCWD, fmt::format("/proc/self/fd/{}", file_).c_str(), AT_FDCWD,
+                           path_.c_str(), AT_SYMLINK_FOLLOW));
+            named_ = error_ == 0;
+        }
         check(::close(file_));
         file_ = -1;
         if (error_ == 0) {
             check(::rename(path_.c_str(), target.c_str()));
-        }
-        if (error_ != 0) {
-            ::unlink(path_.c_str());
+            named_ = error_ != 0;
         }
     }
 
@@ -93,6 +105,7 @@ class TemporaryFile : public std::streambuf {
 
     fs::path path_;
     int file_ = -1;
+    bool named_ = false;
     int error_ = 0;
     std::array<char, 1 << 16> buffer_;
 };

@@ -1,9 +1,12 @@
 #include "files/atomic_file.h"
 
 #include "step_io/files/assembly.h"
+#include <fcntl.h>
 #include <sys/mount.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <csignal>
 
@@ -116,6 +119,30 @@ TEST(Write, FollowsASymbolicLink) {
     write(box(), folder / "link.step", Format::Step);
     EXPECT_TRUE(std::filesystem::is_symlink(folder / "link.step"));
     EXPECT_EQ(content(folder / "target.step").rfind("ISO-10303-21;", 0), 0U);
+}
+
+TEST(Write, LeavesNothingBehindWhenKilled) {
+    const Folder folder;
+    save(folder / "old", "precious");
+    const int probe = ::open((folder / "").c_str(), O_WRONLY | O_TMPFILE, 0600);
+    if (probe < 0) {
+        GTEST_SKIP() << "this file system has no files without a name";
+    }
+    ::close(probe);
+    const pid_t child = ::fork();
+    if (child == 0) {
+        static_cast<void>(write_atomically(folder / "old", [](std::ostream& stream) {
+            stream << "half" << std::flush;
+            ::raise(SIGKILL);
+            return Result<void>();
+        }));
+        ::_exit(0);
+    }
+    int status = 0;
+    ::waitpid(child, &status, 0);
+    EXPECT_TRUE(WIFSIGNALED(status));
+    EXPECT_EQ(content(folder / "old"), "precious");
+    EXPECT_EQ(folder.files(), 1);
 }
 
 TEST(Write, IsAbandonedWhenTheContentRefuses) {
