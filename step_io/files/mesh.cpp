@@ -147,7 +147,8 @@ class MeshSewer {
         return x.DotCross(y, z) / 6.0;
     }
 
-    /// The points of an edge in one face are those that it has in the others, in the same order.
+    /// The points of an edge in one face are those that it has in the others, in the same order. A
+    /// degenerated edge has two points only, both its vertex.
     Result<void> join(const TopoDS_Edge& edge, const Poly_PolygonOnTriangulation& polygon,
                       std::uint32_t first) {
         std::vector<std::uint32_t> points;
@@ -157,12 +158,6 @@ class MeshSewer {
         const TopoDS_Edge forward = TopoDS::Edge(edge.Oriented(TopAbs_FORWARD));
         join_vertex(TopExp::FirstVertex(forward), points.front());
         join_vertex(TopExp::LastVertex(forward), points.back());
-        if (BRep_Tool::Degenerated(edge)) {  // all of it is one point
-            for (const std::uint32_t point : points) {
-                sets_.unite(points.front(), point);
-            }
-            return {};
-        }
         auto& known = edge_points_[static_cast<std::size_t>(numbers_.of(edge))];
         if (known.empty()) {
             known = std::move(points);

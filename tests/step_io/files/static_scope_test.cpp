@@ -12,20 +12,51 @@
 
 namespace suture::io::test {
 
+namespace {
+
+/// Counts what it is given.
+class CountingPrinter : public Message_Printer {
+  public:
+    mutable int messages = 0;
+
+  private:
+    void send(const TCollection_AsciiString& /*text*/, Message_Gravity /*gravity*/) const override {
+        ++messages;
+    }
+};
+
+}  // namespace
+
+TEST(StaticScope, TakesAwayAllPrintersAndBringsThemBack) {
+    const auto printer = occ::make<CountingPrinter>();
+    Message::DefaultMessenger()->AddPrinter(printer);
+    {
+        const StaticScope scope;
+        Message::SendFail() << "unheard";
+    }
+    EXPECT_EQ(printer->messages, 0);
+    Message::SendInfo() << "heard";
+    EXPECT_EQ(printer->messages, 1);
+    Message::DefaultMessenger()->RemovePrinter(printer);
+}
+
 TEST(StaticScope, RestoresParametersOfEachType) {
     { const StaticScope defines_the_parameters; }
     const std::string unit = Interface_Static::CVal("write.step.unit");
+    const std::string product = Interface_Static::CVal("write.step.product.name");
     const int schema = Interface_Static::IVal("write.step.schema");
     const double precision = Interface_Static::RVal("write.precision.val");
     {
         StaticScope scope;
         scope.set("write.step.unit", "INCH");
         scope.set("write.step.schema", "AP203");
+        scope.set("write.step.product.name", "gear");
         scope.set("write.precision.val", 0.5);
         EXPECT_STREQ(Interface_Static::CVal("write.step.unit"), "INCH");
         EXPECT_EQ(Interface_Static::RVal("write.precision.val"), 0.5);
     }
     EXPECT_EQ(Interface_Static::CVal("write.step.unit"), unit);
+    EXPECT_EQ(Interface_Static::CVal("write.step.product.name"), product);
     EXPECT_EQ(Interface_Static::IVal("write.step.schema"), schema);
     EXPECT_EQ(Interface_Static::RVal("write.precision.val"), precision);
 }
