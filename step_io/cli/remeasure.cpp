@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <span>
 
 namespace suture::cli {
@@ -70,19 +71,20 @@ bool same_vertices(const Signature& a, const Signature& b) {
     return (a.low - b.low).norm() + (a.high - b.high).norm() <= kSame * a.extent;
 }
 
-/// The faces of a shape, by what is cheap to know of each; area and centroid only when asked for.
-class FaceFinder {
+/// The faces or the edges of a shape, by what is cheap to know of each; area, length and centroid
+/// only when asked for.
+class ShapeFinder {
   public:
-    explicit FaceFinder(const occ::Numbering& numbering) : numbering_(numbering) {
-        for (int i = 1; i <= numbering.faces.Extent(); ++i) {
-            add_vertices(numbering.faces(i), faces_.emplace_back());
+    explicit ShapeFinder(const TopTools_IndexedMapOfShape& shapes) : shapes_(shapes) {
+        for (int i = 1; i <= shapes.Extent(); ++i) {
+            add_vertices(shapes(i), signatures_.emplace_back());
         }
     }
 
-    /// FaceN, or 0
+    /// The number of the shape, or 0.
     int find(const Signature& wanted) {
         const int near = nearest(wanted, /*same_vertices_only=*/true);
-        // Of a closed face the reader may have moved the vertices.
+        // Of a closed face or edge the reader may have moved the vertices.
         return near > 0 ? near : nearest(wanted, /*same_vertices_only=*/false);
     }
 
@@ -90,58 +92,74 @@ class FaceFinder {
     int nearest(const Signature& wanted, bool same_vertices_only) {
         int best = 0;
         double smallest = kSame * wanted.extent;
-        for (int face = 1; face <= numbering_.faces.Extent(); ++face) {
-            Signature& signature = faces_[static_cast<std::size_t>(face - 1)];
+        for (int i = 1; i <= shapes_.Extent(); ++i) {
+            Signature& signature = signatures_[static_cast<std::size_t>(i - 1)];
             if (same_vertices_only && !same_vertices(wanted, signature)) {
                 continue;
             }
             if (signature.extent == 0.0) {
-                add_properties(numbering_.faces(face), signature);
+                add_properties(shapes_(i), signature);
             }
             const double distance = difference(wanted, signature);
             if (distance <= smallest) {
                 smallest = distance;
-                best = face;
+                best = i;
             }
         }
         return best;
     }
 
-    const occ::Numbering& numbering_;
-    std::vector<Signature> faces_;
+    const TopTools_IndexedMapOfShape& shapes_;
+    std::vector<Signature> signatures_;
 };
 
-/// A hole to be measured.
+/// A hole to be measured, in the numbers of the measured shape.
 struct Found {
     HoleReport* hole = nullptr;
-    const FilledPart* part = nullptr;
-    std::vector<int> edges;  ///< of the new faces, in the measured shape
+    std::map<int, SideReport*> sides;  ///< by their edges
+    std::vector<int> edges;            ///< the sides, and all edges of the new faces
 };
 
-/// Finds the new faces of a hole and their edges; false if a face is not there.
-bool find_faces(std::span<const TopoDS_Face> new_faces, const occ::Numbering& measured,
-                FaceFinder& finder, Found& found) {
-    for (std::size_t i = 0; i < new_faces.size(); ++i) {
-        const int face =
-            finder.find(signature_of(new_faces[i].Moved(found.part->before->placement)));
-        if (face == 0) {
-            return false;
-        }
-        found.hole->patches[i].face = face;
-        for (const TopoDS_Edge& edge : occ::edges_of(measured.faces(face))) {
-            found.edges.push_back(measured.of(edge));
-        }
-    }
-    return true;
-}
+/// Finds the new faces of one hole and its sides.
+class HoleFinder {
+  public:
+    explicit HoleFinder(const occ::Numbering& measured)
+        : measured_(measured), faces_(measured.faces), edges_(measured.edges) {}
 
-void forget_figures(HoleReport& hole) {
-    constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
-    hole.max_gap = hole.max_angle = hole.max_curvature_mismatch = kUnknown;
-    hole.within_tolerance = false;
-    hole.continuity_reached = Continuity::G0;
-    hole.notes.emplace_back("the new face was not found again in the output: nothing is measured");
-}
+    Found find(const FilledPart& part, HoleReport& hole, std::span<const TopoDS_Face> new_faces) {
+        Found found{&hole, {}, {}};
+        for (SideReport& side : hole.sides) {
+            const TopoDS_Shape edge = part.before->numbering.edges(side.edge);
+            if (const int number = edges_.find(signature_in_model(edge, part)); number > 0) {
+                found.sides[number] = &side;
+                found.edges.push_back(number);
+            }
+        }
+        for (std::size_t i = 0; i < new_faces.size(); ++i) {
+            const int face = faces_.find(signature_in_model(new_faces[i], part));
+            hole.patches[i].face = face;
+            if (face == 0) {
+                hole.notes.emplace_back("a new face was not found again in the output");
+                continue;
+            }
+            for (const TopoDS_Edge& edge : occ::edges_of(measured_.faces(face))) {
+                found.edges.push_back(measured_.of(edge));
+            }
+        }
+        std::sort(found.edges.begin(), found.edges.end());
+        found.edges.erase(std::unique(found.edges.begin(), found.edges.end()), found.edges.end());
+        return found;
+    }
+
+  private:
+    static Signature signature_in_model(const TopoDS_Shape& shape, const FilledPart& part) {
+        return signature_of(shape.Moved(part.before->placement));
+    }
+
+    const occ::Numbering& measured_;
+    ShapeFinder faces_;
+    ShapeFinder edges_;
+};
 
 bool meets(const EdgeContinuity& edge, Continuity wanted, const Tolerance& tolerance) {
     return edge.samples > 0 && edge.max_gap <= tolerance.linear &&
@@ -155,39 +173,30 @@ Continuity reached_by(const EdgeContinuity& edge, const Tolerance& tolerance) {
                                                     : Continuity::G0;
 }
 
-/// Which of the hole's sides an edge of the measured shape is.
-class SideFinder {
-  public:
-    explicit SideFinder(const Found& found) : sides_(found.hole->sides) {
-        for (const SideReport& side : sides_) {
-            const TopoDS_Shape edge = found.part->before->numbering.edges(side.edge);
-            signatures_.push_back(signature_of(edge.Moved(found.part->before->placement)));
-        }
-    }
-
-    SideReport* find(const TopoDS_Shape& edge) {
-        const Signature signature = signature_of(edge);
-        SideReport* best = nullptr;
-        double smallest = kSame * signature.extent;
-        for (std::size_t i = 0; i < sides_.size(); ++i) {
-            const double distance = difference(signature, signatures_[i]);
-            if (distance <= smallest) {
-                smallest = distance;
-                best = &sides_[i];
-            }
-        }
-        return best;
-    }
-
-  private:
-    std::vector<SideReport>& sides_;
-    std::vector<Signature> signatures_;
-};
-
-void judge(const Found& found, const occ::Numbering& measured, const ContinuityReport& report,
-           const Tolerance& tolerance) {
+/// A side that was not found again has no figures, and the hole no good ones.
+void forget_lost_sides(const Found& found) {
+    constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
     HoleReport& hole = *found.hole;
-    hole.max_gap = hole.max_angle = hole.max_curvature_mismatch = 0.0;
+    int lost = 0;
+    for (SideReport& side : hole.sides) {
+        if (std::none_of(found.sides.begin(), found.sides.end(),
+                         [&](const auto& entry) { return entry.second == &side; })) {
+            side.gap = side.angle = side.curvature_mismatch = kUnknown;
+            ++lost;
+        }
+    }
+    if (lost > 0) {
+        hole.within_tolerance = false;
+        hole.continuity_reached = Continuity::G0;
+        hole.notes.push_back(fmt::format("{} of {} sides were not found again in the output", lost,
+                                         hole.sides.size()));
+    }
+}
+
+void judge(const Found& found, const ContinuityReport& report, const Tolerance& tolerance) {
+    HoleReport& hole = *found.hole;
+    hole.max_gap = hole.max_angle = hole.max_curvature_mismatch =
+        found.edges.empty() ? std::numeric_limits<double>::quiet_NaN() : 0.0;
     hole.continuity_reached = Continuity::G2;
     hole.within_tolerance = true;
     for (const auto& [edges, fault] : {std::pair(&report.free_edges, "is open"),
@@ -200,19 +209,18 @@ void judge(const Found& found, const occ::Numbering& measured, const ContinuityR
             }
         }
     }
-    SideFinder sides(found);
-    std::size_t found_sides = 0;
+    forget_lost_sides(found);
     for (const EdgeContinuity& edge : report.edges) {
         if (std::find(found.edges.begin(), found.edges.end(), edge.edge) == found.edges.end()) {
             continue;
         }
-        SideReport* side = sides.find(measured.edges(edge.edge));
-        const Continuity wanted = side != nullptr ? side->requested : hole.continuity_requested;
-        if (side != nullptr) {
-            ++found_sides;
-            side->gap = edge.max_gap;
-            side->angle = edge.max_angle;
-            side->curvature_mismatch = edge.curvature_mismatch;
+        Continuity wanted = hole.continuity_requested;
+        if (const auto entry = found.sides.find(edge.edge); entry != found.sides.end()) {
+            SideReport& side = *entry->second;
+            wanted = side.requested;
+            side.gap = edge.max_gap;
+            side.angle = edge.max_angle;
+            side.curvature_mismatch = edge.curvature_mismatch;
         }
         hole.max_gap = std::max(hole.max_gap, edge.max_gap);
         // Where only position was asked for, the angle is the design's, not an error.
@@ -224,10 +232,6 @@ void judge(const Found& found, const occ::Numbering& measured, const ContinuityR
         hole.continuity_reached = std::min(hole.continuity_reached, reached_by(edge, tolerance));
         hole.within_tolerance = hole.within_tolerance && meets(edge, wanted, tolerance);
     }
-    if (found_sides < hole.sides.size()) {
-        hole.notes.push_back(fmt::format("{} of {} sides were not found again in the output",
-                                         hole.sides.size() - found_sides, hole.sides.size()));
-    }
 }
 
 }  // namespace
@@ -235,7 +239,7 @@ void judge(const Found& found, const occ::Numbering& measured, const ContinuityR
 Result<void> remeasure(const TopoDS_Shape& shape, std::vector<FilledPart>& parts,
                        const Tolerance& tolerance, const Progress& progress) {
     const occ::Numbering measured(shape);
-    FaceFinder finder(measured);
+    HoleFinder finder(measured);
     std::vector<Found> holes;
     std::vector<int> edges;
     for (FilledPart& part : parts) {
@@ -245,30 +249,23 @@ Result<void> remeasure(const TopoDS_Shape& shape, std::vector<FilledPart>& parts
                 continue;
             }
             SUTURE_EXPECTS(hole.patches.size() <= new_faces.size());  // one face per patch
-            const auto own = new_faces.first(hole.patches.size());
-            new_faces = new_faces.subspan(own.size());
-            Found found{&hole, &part, {}};
-            if (!find_faces(own, measured, finder, found)) {
-                forget_figures(hole);
-                continue;
-            }
-            edges.insert(edges.end(), found.edges.begin(), found.edges.end());
-            holes.push_back(std::move(found));
+            holes.push_back(finder.find(part, hole, new_faces.first(hole.patches.size())));
+            new_faces = new_faces.subspan(hole.patches.size());
+            edges.insert(edges.end(), holes.back().edges.begin(), holes.back().edges.end());
         }
-    }
-    if (edges.empty()) {
-        return {};
     }
     std::sort(edges.begin(), edges.end());
     edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
     Profile profile;
     profile.tolerance = tolerance;
-    const Result<ContinuityReport> report = measure_continuity(shape, profile, edges, progress);
+    // No edges would mean all of them.
+    const Result<ContinuityReport> report =
+        edges.empty() ? ContinuityReport() : measure_continuity(shape, profile, edges, progress);
     if (!report) {
         return tl::unexpected(report.error());
     }
     for (const Found& found : holes) {
-        judge(found, measured, *report, tolerance);
+        judge(found, *report, tolerance);
     }
     return {};
 }

@@ -20,8 +20,8 @@ struct FilledPart {
 /// length and centroid, because the order of a file is not that of the model.
 ///
 /// Result   the figures, the judgement and the face numbers in parts[].outcome.holes are those of
-///          `shape`; a hole that is not found again keeps no figures, is out of tolerance, and its
-///          notes say so.
+///          `shape`; a side that is not found again has no figures, its hole is out of tolerance,
+///          and the hole's notes say so.
 [[nodiscard]] Result<void> remeasure(const TopoDS_Shape& shape, std::vector<FilledPart>& parts,
                                      const Tolerance& tolerance, const Progress& progress);
 
