@@ -6,5 +6,6 @@ find_package(spdlog REQUIRED)
 find_package(TBB REQUIRED)
 find_package(nlohmann_json REQUIRED)
 find_package(CLI11 REQUIRED)
+find_package(mimalloc 2 REQUIRED)
 find_package(OpenCASCADE REQUIRED) # its version file takes no "7.6 or later"
 find_path(SUTURE_ZIP_HEADER zip.h REQUIRED) # libzip; its CMake package names programs that Debian keeps apart

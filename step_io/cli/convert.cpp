@@ -60,7 +60,7 @@ Result<Outcome> convert(Run& run, const Command& command, const ConvertOptions& 
     const Stopwatch watch;
     const Progress progress =
         run.stage(Stage::Writing, "writing " + options.output.filename().string(), kLoaded, 1.0);
-    const Result<void> written =
+    const auto written =
         io::write_model(model->file, options.output, options.format, to_io(options.mesh));
     if (!written) {
         return tl::unexpected(written.error());

@@ -2,9 +2,14 @@
 
 #include "cli/choose_holes.h"
 #include "cli/remeasure.h"
+#include "cli/reread.h"
 #include "files/read.h"
 
+#include <spdlog/spdlog.h>
+#include <tbb/task_group.h>
+
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 namespace suture::cli {
@@ -47,6 +52,7 @@ class FillJob {
              {&FillJob::find, &FillJob::fill, &FillJob::write, &FillJob::measure}) {
             const Result<void> done = (this->*step)();
             if (!done) {
+                validity_.wait();
                 return tl::unexpected(done.error());
             }
         }
@@ -109,36 +115,78 @@ class FillJob {
         const Stopwatch watch;
         const Progress progress = run_.stage(
             Stage::Writing, "writing " + settings_.output.filename().string(), kFilled, kWritten);
-        const Result<void> written =
-            io::write_model(model_.file, settings_.output, settings_.format, settings_.mesh);
+        reread_.emplace(filled_);
+        // OCCT writes and reads on one core: the others look at the shape meanwhile.
+        if (settings_.format == io::Format::Step || is_mesh(settings_.format)) {
+            validity_.run([&] { summary_.validity = measure_validity(model_.file.shape()); });
+        }
+        auto written = io::write_model(model_.file, settings_.output, settings_.format,
+                                       settings_.mesh, reread_->faces());
         summary_.seconds.write = watch.seconds();
-        return written;
+        return std::move(written).map(
+            [&](std::vector<io::StepId>&& entities) { entities_ = std::move(entities); });
     }
 
     Result<void> measure() {
         const Stopwatch watch;
-        TopoDS_Shape shape = model_.file.shape();
-        if (!is_mesh(settings_.format)) {
-            const Progress reading = run_.stage(
-                Stage::Checking, "reading " + settings_.output.filename().string() + " again",
-                kWritten, kReread);
-            const Result<io::ModelFile> again = io::read_model(settings_.output, reading);
-            if (!again) {
-                return fail(again.error().code == ErrorCode::Cancelled ? ErrorCode::Cancelled
-                                                                       : ErrorCode::Internal,
-                            "{} was written but cannot be read again: {}",
-                            settings_.output.string(), again.error().message);
-            }
-            shape = again->shape();
-            summary_.measured_on_file = true;
-            summary_.seconds.reread = watch.seconds();
+        const Result<TopoDS_Shape> shape = shape_to_measure();
+        if (!shape) {
+            return tl::unexpected(shape.error());
         }
+        summary_.seconds.reread = watch.seconds();
         const Progress progress = run_.stage(Stage::Checking, "measuring the result", kReread, 1.0);
-        const Result<void> measured =
-            remeasure(shape, filled_, settings_.request.tolerance, progress);
-        summary_.validity = measure_validity(shape);
+        Result<void> measured =
+            remeasure(*shape, filled_, settings_.request.tolerance, progress).map([&] {
+                if (summary_.measured_on == MeasuredOn::NewFaces) {
+                    number_new_faces(model_.file.shape(), filled_);
+                }
+            });
+        validity_.wait();
+        if (summary_.measured_on == MeasuredOn::File) {
+            summary_.validity = measure_validity(*shape);
+        } else if (summary_.measured_on == MeasuredOn::NewFaces) {
+            add_problems(measure_validity(*shape));
+        }
         summary_.seconds.check = watch.seconds();
         return measured;
+    }
+
+    /// The output as the next program will read it: of STEP the new faces and what they meet, since
+    /// reading a large file costs more than all the rest; the whole file where these cannot be told
+    /// from it.
+    Result<TopoDS_Shape> shape_to_measure() {
+        if (is_mesh(settings_.format)) {
+            return model_.file.shape();
+        }
+        const Progress reading = run_.stage(
+            Stage::Checking, "reading " + settings_.output.filename().string() + " again", kWritten,
+            kReread);
+        if (settings_.format == io::Format::Step && !reread_->faces().empty()) {
+            Result<TopoDS_Shape> faces = reread_->read(settings_.output, entities_, model_.file);
+            if (faces) {
+                summary_.measured_on = MeasuredOn::NewFaces;
+                return faces;
+            }
+            spdlog::info("reading the whole output again: {}", faces.error().message);
+        }
+        const Result<io::ModelFile> again = io::read_model(settings_.output, reading);
+        if (!again) {
+            return fail(again.error().code == ErrorCode::Cancelled ? ErrorCode::Cancelled
+                                                                   : ErrorCode::Internal,
+                        "{} was written but cannot be read again: {}", settings_.output.string(),
+                        again.error().message);
+        }
+        summary_.measured_on = MeasuredOn::File;
+        return again->shape();
+    }
+
+    /// What became of the new faces by writing and reading counts as well.
+    void add_problems(const Validity& read_again) {
+        summary_.validity.valid = summary_.validity.valid && read_again.valid;
+        for (const std::string& problem : read_again.problems) {
+            summary_.validity.problems.push_back(
+                "the new faces and their neighbours, read again: " + problem);
+        }
     }
 
     void finish() {
@@ -179,7 +227,10 @@ class FillJob {
     std::vector<PartLoops> parts_;
     std::vector<PartRequest> requests_;
     std::vector<FilledPart> filled_;
+    std::optional<RereadFaces> reread_;
+    std::vector<io::StepId> entities_;  ///< of its faces, in the output
     FillSummary summary_;
+    tbb::task_group validity_;  ///< sets summary_.validity
 };
 
 }  // namespace

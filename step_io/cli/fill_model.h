@@ -30,13 +30,21 @@ struct FillSeconds {
     double fill_step = 0.0;  ///< the whole step: choosing, trying, `fill`, faces, joining
 };
 
-/// What has become of a model. The figures of the holes, and `validity`, are measured on the
-/// output as it is read again, or, if that is a mesh, on the model in memory.
+/// What of an output is read again and measured.
+enum class MeasuredOn {
+    Memory,    ///< nothing: it is a mesh
+    NewFaces,  ///< the new faces and all that they meet
+    File,      ///< the whole file
+};
+
+/// What has become of a model. The figures of the holes are measured on the output as it is read
+/// again, or, if that is a mesh, on the model in memory; `validity` is that of the model in memory
+/// and of all that is read again.
 struct FillSummary {
     std::vector<HoleReport> holes;  ///< every boundary loop of the model
     std::vector<int> sides;         ///< how many edges each of these has
     Validity validity;
-    bool measured_on_file = false;
+    MeasuredOn measured_on = MeasuredOn::Memory;
     SewingFacts sewing;
     io::ModelFile file;
     FillSeconds seconds;

@@ -165,15 +165,27 @@ std::string verdict_of(const Counts& counts, const FillSummary& summary,
                                 short_number(degrees(tolerance.angular)));
         }
     }
-    return fmt::format("{}; {}; wrote {}{}", text, shape_of(summary.validity),
-                       settings.output.string(),
-                       summary.measured_on_file ? "" : " (measured before it became a mesh)");
+    return fmt::format(
+        "{}; {}; wrote {}{}", text, shape_of(summary.validity), settings.output.string(),
+        summary.measured_on == MeasuredOn::Memory ? " (measured before it became a mesh)" : "");
 }
 
 Json json_of_seconds(const FillSeconds& seconds) {
     return {{"read", seconds.read},     {"detect", seconds.detect},      {"fill", seconds.fill},
             {"sew", seconds.sew},       {"check", seconds.check},        {"write", seconds.write},
             {"reread", seconds.reread}, {"fill_step", seconds.fill_step}};
+}
+
+std::string_view name_of(MeasuredOn what) {
+    switch (what) {
+        case MeasuredOn::NewFaces:
+            return "new faces";
+        case MeasuredOn::File:
+            return "file";
+        case MeasuredOn::Memory:
+            break;
+    }
+    return "memory";
 }
 
 }  // namespace
@@ -206,7 +218,7 @@ Outcome report_fill(const FillSummary& summary, const FillSettings& settings) {
                           {"angle_deg", degrees(tolerance.angular)},
                           {"curvature_percent", 100.0 * tolerance.curvature}}},
                         {"holes", holes},
-                        {"measured_on", summary.measured_on_file ? "file" : "memory"}};
+                        {"measured_on", name_of(summary.measured_on)}};
     outcome.document.update(json_of(summary.validity));
     outcome.document["seconds"] = json_of_seconds(summary.seconds);
     return outcome;

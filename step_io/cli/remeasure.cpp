@@ -234,6 +234,21 @@ void judge(const Found& found, const ContinuityReport& report, const Tolerance& 
     }
 }
 
+/// Calls action(part, hole, its new faces).
+template <class Action>
+void for_each_filled(std::vector<FilledPart>& parts, Action&& action) {
+    for (FilledPart& part : parts) {
+        std::span<const TopoDS_Face> new_faces(part.outcome.new_faces);
+        for (HoleReport& hole : part.outcome.holes) {
+            if (hole.status == FillStatus::Filled) {
+                SUTURE_EXPECTS(hole.patches.size() <= new_faces.size());  // one face per patch
+                action(part, hole, new_faces.first(hole.patches.size()));
+                new_faces = new_faces.subspan(hole.patches.size());
+            }
+        }
+    }
+}
+
 }  // namespace
 
 Result<void> remeasure(const TopoDS_Shape& shape, std::vector<FilledPart>& parts,
@@ -242,18 +257,10 @@ Result<void> remeasure(const TopoDS_Shape& shape, std::vector<FilledPart>& parts
     HoleFinder finder(measured);
     std::vector<Found> holes;
     std::vector<int> edges;
-    for (FilledPart& part : parts) {
-        std::span<const TopoDS_Face> new_faces(part.outcome.new_faces);
-        for (HoleReport& hole : part.outcome.holes) {
-            if (hole.status != FillStatus::Filled) {
-                continue;
-            }
-            SUTURE_EXPECTS(hole.patches.size() <= new_faces.size());  // one face per patch
-            holes.push_back(finder.find(part, hole, new_faces.first(hole.patches.size())));
-            new_faces = new_faces.subspan(hole.patches.size());
-            edges.insert(edges.end(), holes.back().edges.begin(), holes.back().edges.end());
-        }
-    }
+    for_each_filled(parts, [&](const FilledPart& part, HoleReport& hole, const auto& new_faces) {
+        holes.push_back(finder.find(part, hole, new_faces));
+        edges.insert(edges.end(), holes.back().edges.begin(), holes.back().edges.end());
+    });
     std::sort(edges.begin(), edges.end());
     edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
     Profile profile;
@@ -268,6 +275,16 @@ Result<void> remeasure(const TopoDS_Shape& shape, std::vector<FilledPart>& parts
         judge(found, *report, tolerance);
     }
     return {};
+}
+
+void number_new_faces(const TopoDS_Shape& model, std::vector<FilledPart>& parts) {
+    const occ::Numbering numbering(model);
+    for_each_filled(parts, [&](const FilledPart& part, HoleReport& hole, const auto& new_faces) {
+        for (std::size_t i = 0; i < new_faces.size(); ++i) {
+            const TopoDS_Shape face = new_faces[i].Moved(part.before->placement);
+            hole.patches[i].face = numbering.faces.FindIndex(face);
+        }
+    });
 }
 
 }  // namespace suture::cli

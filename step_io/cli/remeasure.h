@@ -25,4 +25,7 @@ struct FilledPart {
 [[nodiscard]] Result<void> remeasure(const TopoDS_Shape& shape, std::vector<FilledPart>& parts,
                                      const Tolerance& tolerance, const Progress& progress);
 
+/// Sets the face numbers in parts[].outcome.holes to those of the model in memory.
+void number_new_faces(const TopoDS_Shape& model, std::vector<FilledPart>& parts);
+
 }  // namespace suture::cli

@@ -1,5 +1,7 @@
 #include "files/step_text.h"
 
+#include "files/step_scan.h"
+
 #include <algorithm>
 #include <cstdint>
 #include <vector>
@@ -8,47 +10,29 @@ namespace suture::io {
 
 namespace {
 
-bool is_digit(char c) {
-    return c >= '0' && c <= '9';
-}
-bool is_keyword(char c) {
-    return (c >= 'A' && c <= 'Z') || is_digit(c) || c == '-' || c == '_';
-}
-bool is_blank(char c) {
-    return c == ' ' || c == '\n' || c == '\r' || c == '\t';
-}
-
 struct Reference {
-    std::uint64_t from, to;
+    StepId from, to;
 };
 
-/// Walks over the file once: strings and comments are skipped, statements end at semicolons.
-class StepScanner {
+/// What a whole file must have.
+class Completeness {
   public:
-    explicit StepScanner(std::string_view text) : at_(text.data()), end_(at_ + text.size()) {}
-
-    void scan() {
-        while (at_ < end_ && !ended_) {
-            const char c = *at_;
-            if (c == '\'' || c == '"') {
-                skip_to(c);
-            } else if (c == '/' && at_ + 1 < end_ && at_[1] == '*') {
-                skip_comment();
-            } else if (c == '#') {
-                number();
-            } else if (c == ';') {
-                statement_begins_ = true;
-                ++at_;
-            } else if (statement_begins_ && c >= 'A' && c <= 'Z') {
-                keyword();
-            } else {
-                ++at_;
-            }
-        }
+    void defines(StepId id, std::size_t /*at*/) {
+        defined_.push_back(id);
+        current_ = id;
     }
+    void refers(StepId id) { references_.push_back({current_, id}); }
+    void ends(std::size_t /*at*/) {}
+    bool keyword(std::string_view word) {
+        data_ = data_ || word == "DATA";
+        open_ = word == "DATA" || (open_ && word != "ENDSEC");
+        ended_ = word == "END-ISO-10303-21";
+        return !ended_;
+    }
+
     [[nodiscard]] bool has_data() const { return data_ && !open_; }
     [[nodiscard]] bool ended() const { return ended_; }
-    [[nodiscard]] std::uint64_t last_entity() const { return current_; }
+    [[nodiscard]] StepId last_entity() const { return current_; }
 
     /// A reference to nothing, if there is one.
     [[nodiscard]] const Reference* unresolved() {
@@ -62,49 +46,11 @@ class StepScanner {
     }
 
   private:
-    void skip_to(char quote) { at_ = std::min(end_, std::find(at_ + 1, end_, quote) + 1); }
-    void skip_comment() {
-        const std::string_view rest(at_ + 2, static_cast<std::size_t>(end_ - at_ - 2));
-        const std::size_t close = rest.find("*/");
-        at_ = close == rest.npos ? end_ : at_ + 2 + close + 2;
-    }
-    void number() {
-        std::uint64_t id = 0;
-        for (++at_; at_ < end_ && is_digit(*at_); ++at_) {
-            id = 10 * id + static_cast<std::uint64_t>(*at_ - '0');
-        }
-        const char* next = at_;
-        while (next < end_ && is_blank(*next)) {
-            ++next;
-        }
-        if (next < end_ && *next == '=') {
-            defined_.push_back(id);
-            current_ = id;
-        } else {
-            references_.push_back({current_, id});
-        }
-        statement_begins_ = false;
-    }
-    void keyword() {
-        const char* from = at_;
-        at_ = std::find_if_not(at_, end_, is_keyword);
-        const std::string_view word(from, static_cast<std::size_t>(at_ - from));
-        if (word == "DATA") {
-            data_ = true;
-        }
-        open_ = word == "DATA" || (open_ && word != "ENDSEC");
-        ended_ = word == "END-ISO-10303-21";
-        statement_begins_ = false;
-    }
-
-    const char* at_;
-    const char* end_;
-    bool statement_begins_ = true;
     bool data_ = false;  ///< a DATA section was seen
     bool open_ = false;  ///< and is not closed
     bool ended_ = false;
-    std::uint64_t current_ = 0;
-    std::vector<std::uint64_t> defined_;
+    StepId current_ = 0;
+    std::vector<StepId> defined_;
     std::vector<Reference> references_;
 };
 
@@ -145,24 +91,24 @@ std::string encode_step_text(const std::string& text) {
 }
 
 Result<void> check_step_text(std::string_view text, const std::filesystem::path& file) {
-    StepScanner scanner(text);
-    scanner.scan();
-    if (!scanner.ended() && scanner.last_entity() != 0) {
+    Completeness found;
+    StepScanner(text, found).scan();
+    if (!found.ended() && found.last_entity() != 0) {
         return fail(ErrorCode::Unreadable,
                     "{} is cut off: it ends at entity #{}, without its last line END-ISO-10303-21",
-                    file.string(), scanner.last_entity());
+                    file.string(), found.last_entity());
     }
-    if (!scanner.ended()) {
+    if (!found.ended()) {
         return fail(ErrorCode::Unreadable,
                     "{} is cut off: it ends before its data, without its last line "
                     "END-ISO-10303-21",
                     file.string());
     }
-    if (!scanner.has_data()) {
+    if (!found.has_data()) {
         return fail(ErrorCode::Unreadable,
                     "{} is damaged: it has no DATA section that ends in ENDSEC", file.string());
     }
-    if (const Reference* reference = scanner.unresolved()) {
+    if (const Reference* reference = found.unresolved()) {
         return fail(ErrorCode::Unreadable,
                     "{} is damaged: entity #{} refers to #{}, which the file does not hold",
                     file.string(), reference->from, reference->to);

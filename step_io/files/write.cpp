@@ -27,8 +27,6 @@ Result<void> write_mesh(const Mesh& mesh, const std::string& name, Format format
 Result<void> write_content(const ModelFile& model, const std::string& name, Format format,
                            const MeshOptions& options, std::ostream& stream) {
     switch (format) {
-        case Format::Step:
-            return write_step(model, name, stream);
         case Format::Iges:
             return write_iges(model, name, stream);
         case Format::BrepText:
@@ -46,13 +44,22 @@ Result<void> write_content(const ModelFile& model, const std::string& name, Form
 
 }  // namespace
 
-Result<void> write_model(const ModelFile& model, const std::filesystem::path& file, Format format,
-                         const MeshOptions& mesh) {
+Result<std::vector<StepId>> write_model(const ModelFile& model, const std::filesystem::path& file,
+                                        Format format, const MeshOptions& mesh,
+                                        std::span<const TopoDS_Face> traced) {
     const std::string name = file.stem().string();
-    return write_atomically(file, [&](std::ostream& stream) {
-        return occ::guarded("writing " + file.string(),
-                            [&] { return write_content(model, name, format, mesh, stream); });
+    std::vector<StepId> numbers;
+    const Result<void> done = write_atomically(file, [&](std::ostream& stream) {
+        return occ::guarded("writing " + file.string(), [&]() -> Result<void> {
+            if (format == Format::Step) {
+                return write_step(model, name, traced, stream).map([&](std::vector<StepId>&& ids) {
+                    numbers = std::move(ids);
+                });
+            }
+            return write_content(model, name, format, mesh, stream);
+        });
     });
+    return done.map([&] { return std::move(numbers); });
 }
 
 }  // namespace suture::io

@@ -2,9 +2,14 @@
 
 #include "files/mesh.h"
 #include "files/model_file.h"
+#include "files/step_scan.h"
 #include "suture/base/result.h"
 
+#include <TopoDS_Face.hxx>
+
 #include <filesystem>
+#include <span>
+#include <vector>
 
 namespace suture::io {
 
@@ -13,8 +18,11 @@ namespace suture::io {
 ///
 /// STEP keeps the schema and the unit of the input when that was STEP; AP214 and mm otherwise.
 /// Meshes (STL binary, OFF, OBJ, 3MF) are watertight: neighbouring faces share their edge points.
+/// Result   for STEP, the entity numbers of the faces in `traced` (0: not known); else nothing.
 /// Refuses  (WriteFailed) a missing folder, no permission, a full disk.
-[[nodiscard]] Result<void> write_model(const ModelFile& model, const std::filesystem::path& file,
-                                       Format format, const MeshOptions& mesh);
+[[nodiscard]] Result<std::vector<StepId>> write_model(const ModelFile& model,
+                                                      const std::filesystem::path& file,
+                                                      Format format, const MeshOptions& mesh,
+                                                      std::span<const TopoDS_Face> traced = {});
 
 }  // namespace suture::io

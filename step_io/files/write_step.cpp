@@ -6,10 +6,14 @@
 #include <APIHeaderSection_MakeHeader.hxx>
 #include <Interface_HArray1OfHAsciiString.hxx>
 #include <STEPCAFControl_Writer.hxx>
+#include <STEPConstruct.hxx>
 #include <StepData_Protocol.hxx>
 #include <StepData_StepModel.hxx>
 #include <StepData_StepWriter.hxx>
+#include <StepRepr_RepresentationItem.hxx>
 #include <TCollection_HAsciiString.hxx>
+#include <Transfer_FinderProcess.hxx>
+#include <XSControl_TransferWriter.hxx>
 #include <XSControl_WorkSession.hxx>
 
 #include <sstream>
@@ -49,9 +53,17 @@ void write_header(const ModelFile& model, const std::string& name,
     }
 }
 
+/// 0 for a face that OCCT has lost sight of.
+StepId entity_of(const TopoDS_Face& face, const XSControl_WorkSession& session,
+                 const StepData_StepModel& entities) {
+    const auto entity = STEPConstruct::FindEntity(session.TransferWriter()->FinderProcess(), face);
+    return entity.IsNull() ? 0 : static_cast<StepId>(entities.Number(entity));
+}
+
 }  // namespace
 
-Result<void> write_step(const ModelFile& model, const std::string& name, std::ostream& stream) {
+Result<std::vector<StepId>> write_step(const ModelFile& model, const std::string& name,
+                                       std::span<const TopoDS_Face> traced, std::ostream& stream) {
     StaticScope scope;
     scope.set("write.step.schema", occt_schema(model.schema));  // before there is a writer
     scope.set("write.step.unit", model.unit.c_str());
@@ -79,7 +91,11 @@ Result<void> write_step(const ModelFile& model, const std::string& name, std::os
     std::ostringstream printed;
     text.Print(printed);
     stream << encode_step_text(printed.str());
-    return {};
+    std::vector<StepId> numbers;
+    for (const TopoDS_Face& face : traced) {
+        numbers.push_back(entity_of(face, *writer.ChangeWriter().WS(), *entities));
+    }
+    return numbers;
 }
 
 }  // namespace suture::io

@@ -80,7 +80,7 @@ class Reopened(unittest.TestCase):
         self.filled = Filled(with_holes(case)[0], method)
         done = self.filled.run
         self.assertIn(done.code, (DONE, OUT_OF_TOLERANCE), done.err)
-        self.assertEqual(self.filled.report["measured_on"], "file")
+        self.assertIn(self.filled.report["measured_on"], ("new faces", "file"))
         entry = self.filled.entry()
         if entry["status"] == "refused":
             self.check_refusal(method, entry)

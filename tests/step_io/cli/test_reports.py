@@ -112,7 +112,7 @@ class Fill(Case):
             self.assertEqual(document["free_edges"], 0)
             self.assertEqual(document["solids"], 1)
             self.assertGreater(document["volume"], 0)
-            self.assertEqual(document["measured_on"], "file")
+            self.assertEqual(document["measured_on"], "new faces")
 
     def test_lid_of_the_box_is_a_plane_and_the_volume_is_exact(self):
         document = self.fill("box_without_lid")

@@ -64,7 +64,7 @@ inline ModelFile read(const std::filesystem::path& file) {
 }
 
 inline void write(const ModelFile& model, const std::filesystem::path& file, Format format) {
-    const Result<void> done = write_model(model, file, format, {});
+    const auto done = write_model(model, file, format, {});
     ASSERT_TRUE(done) << done.error().message;
 }
 

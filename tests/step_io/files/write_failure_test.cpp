@@ -19,7 +19,7 @@ ModelFile box() {
 }
 
 std::string refusal(const std::filesystem::path& file, Format format = Format::Step) {
-    const Result<void> done = write_model(box(), file, format, {});
+    const auto done = write_model(box(), file, format, {});
     if (done) {
         return "was written";
     }
