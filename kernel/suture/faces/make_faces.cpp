@@ -1,6 +1,7 @@
 #include "suture/faces/make_faces.h"
 
 #include "suture/faces/pcurve.h"
+#include "suture/faces/seam.h"
 #include "suture/occ/convert.h"
 #include "suture/occ/guard.h"
 
@@ -89,6 +90,88 @@ TopoDS_Wire wire_of(std::vector<TopoDS_Edge> edges, bool reversed) {
     return wire;
 }
 
+TopoDS_Vertex start_of(const TopoDS_Edge& edge) {
+    return TopExp::FirstVertex(edge, /*CumOri=*/Standard_True);
+}
+
+/// The edges of the loops on one new surface.
+class Outline {
+  public:
+    Outline(const std::vector<BoundaryLoop>& loops, const Patch& patch,
+            Handle<Geom_Surface> surface, double accuracy)
+        : loops_(loops), patch_(patch), surface_(std::move(surface)), accuracy_(accuracy) {}
+
+    [[nodiscard]] std::vector<TopoDS_Wire> wires() const {
+        std::vector<TopoDS_Wire> wires;
+        const auto& seam = patch_.seam;
+        for (int l = 0; l < static_cast<int>(loops_.size()); ++l) {
+            if (!seam || (l != seam->loop && l != seam->other_loop)) {
+                wires.push_back(wire_of(around(l, 0), patch_.reversed));
+            }
+        }
+        if (seam) {
+            wires.insert(wires.begin(), wire_of(along_seam(*seam), patch_.reversed));
+        }
+        return wires;
+    }
+
+  private:
+    const std::vector<BoundaryLoop>& loops_;
+    const Patch& patch_;
+    Handle<Geom_Surface> surface_;
+    double accuracy_;
+
+    [[nodiscard]] const TopoDS_Edge& edge(int loop, int side) const {
+        return loops_[static_cast<std::size_t>(loop)].edges[static_cast<std::size_t>(side)].edge;
+    }
+
+    /// A loop's edges from a corner on, with an edge without length where it passes a pole.
+    [[nodiscard]] std::vector<TopoDS_Edge> around(int loop, int corner) const {
+        const auto& trims = patch_.trims[static_cast<std::size_t>(loop)];
+        const int n = static_cast<int>(trims.size());
+        std::vector<TopoDS_Edge> edges;
+        for (int k = 0; k < n; ++k) {
+            const int i = (corner + k) % n;
+            const int next = (i + 1) % n;
+            edges.push_back(edge(loop, i));
+            if (in_pole(loop, next)) {
+                edges.push_back(make_degenerated(trims[static_cast<std::size_t>(i)](1.0),
+                                                 trims[static_cast<std::size_t>(next)](0.0),
+                                                 surface_, start_of(edge(loop, next))));
+            }
+        }
+        return edges;
+    }
+
+    [[nodiscard]] bool in_pole(int loop, int corner) const {
+        if (patch_.pole_corners.empty()) {
+            return false;
+        }
+        const auto& corners = patch_.pole_corners[static_cast<std::size_t>(loop)];
+        return std::find(corners.begin(), corners.end(), corner) != corners.end();
+    }
+
+    [[nodiscard]] std::vector<TopoDS_Edge> along_seam(const Seam& seam) const {
+        std::vector<TopoDS_Edge> edges = around(seam.loop, seam.corner);
+        const TopoDS_Vertex start = start_of(edge(seam.loop, seam.corner));
+        TopoDS_Vertex end;
+        std::vector<TopoDS_Edge> beyond;
+        if (seam.other_loop >= 0) {
+            end = start_of(edge(seam.other_loop, seam.other_corner));
+            beyond = around(seam.other_loop, seam.other_corner);
+        } else {
+            BRep_Builder().MakeVertex(end, surface_->Value(seam.to.x(), seam.to.y()),
+                                      Precision::Confusion());
+            beyond = {make_degenerated(seam.to + seam.period, seam.to, surface_, end)};
+        }
+        const TopoDS_Edge cut = make_seam(seam, surface_, start, end, patch_.reversed, accuracy_);
+        edges.push_back(cut);
+        edges.insert(edges.end(), beyond.begin(), beyond.end());
+        edges.push_back(TopoDS::Edge(cut.Reversed()));
+        return edges;
+    }
+};
+
 Result<NewFaces> make(const std::vector<BoundaryLoop>& loops, const Hole& hole,
                       const FillResult& result) {
     NewFaces made;
@@ -102,15 +185,15 @@ Result<NewFaces> make(const std::vector<BoundaryLoop>& loops, const Hole& hole,
         builder.MakeFace(face, *surface, Precision::Confusion());
         const double accuracy = kPcurveAccuracy * hole.diameter;
         for (std::size_t l = 0; l < loops.size(); ++l) {
-            std::vector<TopoDS_Edge> edges;
             for (std::size_t i = 0; i < loops[l].edges.size(); ++i) {
-                const TopoDS_Edge& edge = loops[l].edges[i].edge;
                 made.max_gap =
-                    std::max(made.max_gap, put_on_surface(edge, *surface, hole.loops[l].ribbons[i],
-                                                          patch.trims[l][i], accuracy));
-                edges.push_back(edge);
+                    std::max(made.max_gap,
+                             put_on_surface(loops[l].edges[i].edge, *surface,
+                                            hole.loops[l].ribbons[i], patch.trims[l][i], accuracy));
             }
-            builder.Add(face, wire_of(std::move(edges), patch.reversed));
+        }
+        for (const TopoDS_Wire& wire : Outline(loops, patch, *surface, accuracy).wires()) {
+            builder.Add(face, wire);
         }
         if (patch.reversed) {
             face.Reverse();

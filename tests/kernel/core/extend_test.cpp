@@ -157,7 +157,7 @@ TEST(FillExtend, FillsWithAnIslandOnTheSamePeriod) {
     const Torus torus{tilted(), 5.0, 1.25};
     Hole hole = windows::window_in(torus, {{kPi, 3.0}, {0.8, 0.9}, 3, false});
     // The island's ribbons walk the other way round, one period further.
-    Hole island = windows::window_in(torus, {{kPi - 2.0 * kPi, 3.0}, {0.2, 0.2}, 2, false});
+    Hole island = windows::window_in(torus, {{kPi - 2.0 * kPi, 3.0}, {0.2, -0.2}, 2, false});
     hole.loops.push_back(island.loops.front());
     const auto fill = fill_extend(hole, {});
     ASSERT_TRUE(fill) << fill.error().message;
