@@ -17,10 +17,16 @@ bool contains_edge(const BoundaryLoop& loop, int edge) {
                        [&](const BoundaryEdge& e) { return e.edge_number == edge; });
 }
 
-/// A loop with the islands that detection found to bound the same missing face.
-std::vector<int> with_islands(const BoundaryLoop& loop) {
+/// A loop with the islands that detection found to bound the same missing face, but those that are
+/// named on their own.
+std::vector<int> with_islands(const BoundaryLoop& loop, const FillRequest& request) {
     std::vector<int> ids = {loop.id};
-    ids.insert(ids.end(), loop.islands_with.begin(), loop.islands_with.end());
+    for (const int island : loop.islands_with) {
+        if (std::find(request.holes.begin(), request.holes.end(), std::vector{island}) ==
+            request.holes.end()) {
+            ids.push_back(island);
+        }
+    }
     return ids;
 }
 
@@ -34,7 +40,8 @@ Result<std::vector<std::vector<int>>> named(const std::vector<BoundaryLoop>& loo
                             id, loops.size());
             }
         }
-        groups.push_back(ids.size() == 1 ? with_islands(*find_id(loops, ids.front())) : ids);
+        groups.push_back(ids.size() == 1 ? with_islands(*find_id(loops, ids.front()), request)
+                                         : ids);
     }
     for (const int edge : request.edges) {
         const auto loop = std::find_if(loops.begin(), loops.end(), [&](const BoundaryLoop& l) {
@@ -43,7 +50,7 @@ Result<std::vector<std::vector<int>>> named(const std::vector<BoundaryLoop>& loo
         if (loop == loops.end()) {
             return fail(ErrorCode::Usage, "edge {} lies on no boundary loop", edge);
         }
-        groups.push_back(with_islands(*loop));
+        groups.push_back(with_islands(*loop, request));
     }
     return groups;
 }
@@ -70,7 +77,7 @@ Result<Selection> select_holes(const std::vector<BoundaryLoop>& loops, const Fil
     if (request.holes.empty() && request.edges.empty()) {
         for (const BoundaryLoop& loop : loops) {
             if (fillable(loop.kind, request.all_loops)) {
-                groups.push_back(with_islands(loop));
+                groups.push_back(with_islands(loop, request));
             }
         }
     } else {

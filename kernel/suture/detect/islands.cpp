@@ -1,6 +1,7 @@
 #include "suture/detect/islands.h"
 
 #include "suture/base/tolerance.h"
+#include "suture/detect/surface_bands.h"
 
 #include <Eigen/Geometry>
 
@@ -167,8 +168,25 @@ bool band_is_straighter(const Circle& from, const Circle& to,
     return band && *band - disc > kStraighter;
 }
 
+std::string band_reason(const Surface& surface) {
+    return fmt::format(
+        "two loops around one {}, which goes on from both towards the other: the band between them "
+        "is missing",
+        kind_name(surface));
+}
+
+void find_bands_of_one_surface(std::vector<BoundaryLoop>& loops,
+                               const std::vector<LoopShape>& shapes,
+                               const std::vector<std::optional<Surface>>& surfaces) {
+    for (const auto& [low, high] : find_surface_bands(surfaces, shapes)) {
+        join(loops, {low, high}, LoopKind::Hole,
+             band_reason(*surfaces[static_cast<std::size_t>(low)]));
+    }
+}
+
 void find_bands(std::vector<BoundaryLoop>& loops, const std::vector<LoopShape>& shapes,
-                const std::vector<int>& component) {
+                const std::vector<int>& component,
+                const std::vector<std::optional<Surface>>& surfaces) {
     std::vector<Circle> circles;
     for (int i = 0; i < static_cast<int>(loops.size()); ++i) {
         const std::optional<Circle> circle = as_circle(shapes[i], i);
@@ -195,7 +213,11 @@ void find_bands(std::vector<BoundaryLoop>& loops, const std::vector<LoopShape>& 
         const bool discs_fold = -circles[a].onward_out < kFolds && -circles[b].onward_out < kFolds;
         const bool one_shell = component[circles[a].loop] == component[circles[b].loop];
         const std::vector<int> members{circles[a].loop, circles[b].loop};
-        if (discs_fold && one_shell) {
+        const auto& surface = surfaces[static_cast<std::size_t>(circles[a].loop)];
+        if (on_one_surface(surface, surfaces[static_cast<std::size_t>(circles[b].loop)],
+                           shapes[static_cast<std::size_t>(circles[a].loop)])) {
+            join(loops, members, LoopKind::Hole, band_reason(*surface));
+        } else if (discs_fold && one_shell) {
             join(loops, members, LoopKind::Hole,
                  "two circles about one axis; a band between them goes on from both sides, while a "
                  "disc in either would fold back onto the material");
@@ -212,7 +234,13 @@ void find_bands(std::vector<BoundaryLoop>& loops, const std::vector<LoopShape>& 
 void find_islands(std::vector<BoundaryLoop>& loops, const std::vector<LoopShape>& shapes,
                   const std::vector<int>& component) {
     find_planar_islands(loops, shapes);
-    find_bands(loops, shapes, component);
+    std::vector<std::optional<Surface>> surfaces;
+    for (std::size_t i = 0; i < loops.size(); ++i) {
+        const bool in_question = open_to_fill(loops[i]) && loops[i].islands_with.empty();
+        surfaces.push_back(in_question ? common_surface(loops[i], shapes[i]) : std::nullopt);
+    }
+    find_bands_of_one_surface(loops, shapes, surfaces);
+    find_bands(loops, shapes, component, surfaces);
 }
 
 }  // namespace suture

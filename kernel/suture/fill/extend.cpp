@@ -79,27 +79,6 @@ void turn(Surface& surface, double angle) {
         surface);
 }
 
-/// The surface on a domain that contains [low, high]: periods are repeated, borders extended.
-SplineSurface covering(const SplineSurface& spline, const Vector2d& period, const Vector2d& low,
-                       const Vector2d& high) {
-    SplineSurface result = spline;
-    for (int c = 0; c < 2; ++c) {
-        if (!(period[c] > 0.0)) {
-            continue;
-        }
-        const auto& knots = c == 0 ? spline.knots_u : spline.knots_v;
-        const double begin =
-            knots[static_cast<std::size_t>(c == 0 ? spline.degree_u : spline.degree_v)];
-        const int before = static_cast<int>(std::max(0.0, std::ceil((begin - low[c]) / period[c])));
-        const int turns =
-            std::max(1, before + static_cast<int>(std::ceil((high[c] - begin) / period[c])));
-        if (turns > 1 || before > 0) {
-            result = c == 0 ? repeated_u(result, turns, before) : repeated_v(result, turns, before);
-        }
-    }
-    return extended(result, low.x(), high.x(), low.y(), high.y());
-}
-
 /// The traces' bounds.
 struct Box {
     Vector2d low = Vector2d::Constant(INFINITY);
@@ -115,32 +94,7 @@ Box bounds_of(const std::vector<Trace>& traces) {
     return box;
 }
 
-/// Moves the surface's own seam out of the hole, or onto the cut: turns a closed form, repeats a
-/// closed B-spline and goes on beyond its borders. The traces follow.
-void make_room(Chart& chart, std::vector<Trace>& traces, std::optional<Seam>& seam) {
-    Box box = bounds_of(traces);
-    if (const auto* spline = std::get_if<SplineSurface>(&chart.surface)) {
-        Vector2d period = chart.period;
-        if (seam) {
-            // Around, the domain is the surface's own.
-            const int c = seam->period.x() != 0.0 ? 0 : 1;
-            const auto& knots = c == 0 ? spline->knots_u : spline->knots_v;
-            period[c] = 0.0;
-            box.low[c] = box.high[c] =
-                knots[static_cast<std::size_t>(c == 0 ? spline->degree_u : spline->degree_v)];
-        }
-        chart.surface = covering(*spline, period, box.low, box.high);
-        return;
-    }
-    if (!(chart.period.x() > 0.0)) {
-        return;
-    }
-    // u = 0 on the seam, or opposite to the hole.
-    const bool around = seam && seam->period.x() != 0.0;
-    const double angle = around ? std::min(seam->from.x(), seam->from.x() + seam->period.x())
-                                : 0.5 * (box.low.x() + box.high.x()) - kPi;
-    turn(chart.surface, angle);
-    const Vector2d by(-angle, 0.0);
+void shift_all(const Vector2d& by, std::vector<Trace>& traces, std::optional<Seam>& seam) {
     for (Trace& trace : traces) {
         trace.shift(by);
     }
@@ -148,6 +102,57 @@ void make_room(Chart& chart, std::vector<Trace>& traces, std::optional<Seam>& se
         seam->from += by;
         seam->to += by;
     }
+}
+
+/// As a share of the period: the hole's border may lie beside the surface's own by rounding.
+constexpr double kRounding = 1e-9;
+
+/// The B-spline on a domain that holds the hole: beyond its borders its outermost polynomials go
+/// on; where it is closed and its seam runs through the hole, it is cut open elsewhere.
+void make_room(SplineSurface& spline, const Vector2d& period, std::vector<Trace>& traces,
+               std::optional<Seam>& seam) {
+    Box box = bounds_of(traces);
+    for (const int c : {0, 1}) {
+        const auto domain = [&] {
+            const auto& knots = c == 0 ? spline.knots_u : spline.knots_v;
+            return std::pair(knots.front(), knots.back());
+        };
+        const auto [begin, end] = domain();
+        const double slack = kRounding * period[c];
+        if (!(period[c] > 0.0)) {
+            continue;
+        }
+        if (!(seam && seam->period[c] != 0.0)) {
+            const double turns = std::floor((box.low[c] - begin + slack) / period[c]);
+            shift_all(-turns * period[c] * Vector2d::Unit(c), traces, seam);
+            box.low[c] -= turns * period[c];
+            box.high[c] -= turns * period[c];
+            if (box.high[c] > end + slack) {
+                // Less than one period of it, so that no point has two places.
+                const double beside = 0.25 * (period[c] - (box.high[c] - box.low[c]));
+                const double low = box.low[c] - beside;
+                const double high = box.high[c] + beside;
+                spline = c == 0
+                             ? restricted(repeated_u(spline, 3, 1), low, high, -INFINITY, INFINITY)
+                             : restricted(repeated_v(spline, 3, 1), -INFINITY, INFINITY, low, high);
+            }
+        }
+        // Rounding must not make it longer than its period.
+        box.low[c] = std::max(box.low[c], domain().first);
+        box.high[c] = std::min(box.high[c], domain().second);
+    }
+    spline = extended(spline, box.low.x(), box.high.x(), box.low.y(), box.high.y());
+}
+
+/// The closed form turned about its axis so that its own seam lies on the cut, or else opposite to
+/// the hole.
+void make_room(Surface& form, std::vector<Trace>& traces, std::optional<Seam>& seam) {
+    const Box box = bounds_of(traces);
+    const bool around = seam && seam->period.x() != 0.0;
+    const double angle = around ? std::min(seam->from.x(), seam->from.x() + seam->period.x())
+                                : 0.5 * (box.low.x() + box.high.x()) - kPi;
+    turn(form, angle);
+    shift_all({-angle, 0.0}, traces, seam);
 }
 
 /// Islands into the period of the loop around them.
@@ -192,7 +197,11 @@ Result<FillResult> fill_extend(const Hole& hole, const FillOptions& options) {
         }
         patch.seam = *seam;
     }
-    make_room(chart, traces, patch.seam);
+    if (auto* spline = std::get_if<SplineSurface>(&chart.surface)) {
+        make_room(*spline, chart.period, traces, patch.seam);
+    } else if (chart.period.x() > 0.0) {
+        make_room(chart.surface, traces, patch.seam);
+    }
     patch.surface = chart.surface;
     patch.reversed = *reversed;
     const auto shared = std::make_shared<const Chart>(std::move(chart));

@@ -45,7 +45,8 @@ struct Row {
     std::vector<Vector4d> poles;
 };
 
-Row extend_row(const Row& row, int degree, double from, double to) {
+/// The row on [from, to], which holds all inner knots: its ends are moved, inwards or outwards.
+Row clamped(const Row& row, int degree, double from, double to) {
     const int count = static_cast<int>(row.poles.size());
     Row result = row;
     const auto slice = [&](int span) {
@@ -55,9 +56,7 @@ Row extend_row(const Row& row, int degree, double from, double to) {
     const auto arguments = [&](const std::vector<double>& knots, int i) {
         return std::vector<double>(knots.begin() + i + 1, knots.begin() + i + 1 + degree);
     };
-    from = std::min(from, row.knots[static_cast<std::size_t>(degree)]);
-    to = std::max(to, row.knots[static_cast<std::size_t>(count)]);
-    if (from < row.knots[static_cast<std::size_t>(degree)] || from > row.knots.front()) {
+    if (from != row.knots[static_cast<std::size_t>(degree)] || from > row.knots.front()) {
         const int span = find_span(row.knots, degree, from);
         for (int i = 0; i <= degree; ++i) {
             result.knots[static_cast<std::size_t>(i)] = from;
@@ -67,7 +66,7 @@ Row extend_row(const Row& row, int degree, double from, double to) {
                 blossom(row.knots, degree, span, slice(span), arguments(result.knots, i));
         }
     }
-    if (to > row.knots[static_cast<std::size_t>(count)] || to < row.knots.back()) {
+    if (to != row.knots[static_cast<std::size_t>(count)] || to < row.knots.back()) {
         const int span = find_span(row.knots, degree, to);
         for (int i = 0; i <= degree; ++i) {
             result.knots[static_cast<std::size_t>(count + i)] = to;
@@ -75,6 +74,69 @@ Row extend_row(const Row& row, int degree, double from, double to) {
         for (int i = count - degree; i < count; ++i) {
             result.poles[static_cast<std::size_t>(i)] =
                 blossom(row.knots, degree, span, slice(span), arguments(result.knots, i));
+        }
+    }
+    return result;
+}
+
+Row extend_row(const Row& row, int degree, double from, double to) {
+    return clamped(row, degree, std::min(from, row.knots[static_cast<std::size_t>(degree)]),
+                   std::max(to, row.knots[row.poles.size()]));
+}
+
+Row restrict_row(const Row& row, int degree, double from, double to) {
+    const double begin = row.knots[static_cast<std::size_t>(degree)];
+    const double end = row.knots[row.poles.size()];
+    from = std::clamp(from, begin, end);
+    to = std::clamp(to, begin, end);
+    // What lies in the spans from that of `from` to that of `to`.
+    const int first = find_span(row.knots, degree, from);
+    int last = find_span(row.knots, degree, to);
+    while (last > first && row.knots[static_cast<std::size_t>(last)] >= to) {
+        --last;  // `to` begins this span, or it is empty
+    }
+    const Row part{{row.knots.begin() + first - degree, row.knots.begin() + last + degree + 2},
+                   {row.poles.begin() + first - degree, row.poles.begin() + last + 1}};
+    return clamped(part, degree, from, to);
+}
+
+/// Applies a change of domain to all rows in u, then to all in v.
+template <class Change>
+SplineSurface by_rows(const SplineSurface& surface, const Change& change) {
+    const int nu = surface.count_u();
+    const int nv = surface.count_v();
+    const Matrix4Xd poles = homogeneous(surface);
+    SplineSurface result = surface;
+    std::vector<Row> in_u;
+    for (int j = 0; j < nv; ++j) {
+        Row row{surface.knots_u, {}};
+        for (int i = 0; i < nu; ++i) {
+            row.poles.push_back(poles.col(surface.index(i, j)));
+        }
+        in_u.push_back(change(row, 0));
+    }
+    result.knots_u = in_u.front().knots;
+    std::vector<Row> in_v;
+    for (std::size_t i = 0; i < in_u.front().poles.size(); ++i) {
+        Row row{surface.knots_v, {}};
+        for (const Row& other : in_u) {
+            row.poles.push_back(other.poles[i]);
+        }
+        in_v.push_back(change(row, 1));
+    }
+    result.knots_v = in_v.front().knots;
+    const auto count = static_cast<Eigen::Index>(in_v.size() * in_v.front().poles.size());
+    result.poles.resize(3, count);
+    result.weights.resize(surface.rational() ? count : 0);
+    Eigen::Index k = 0;
+    for (std::size_t j = 0; j < in_v.front().poles.size(); ++j) {
+        for (const Row& row : in_v) {
+            const Vector4d& pole = row.poles[j];
+            result.poles.col(k) = pole.head<3>() / pole[3];
+            if (surface.rational()) {
+                result.weights[k] = pole[3];
+            }
+            ++k;
         }
     }
     return result;
@@ -121,39 +183,17 @@ SurfaceJet evaluate(const SplineSurface& surface, double u, double v) {
 }
 
 SplineSurface extended(const SplineSurface& surface, double u0, double u1, double v0, double v1) {
-    const int nu = surface.count_u();
-    const int nv = surface.count_v();
-    Matrix4Xd poles = homogeneous(surface);
-    SplineSurface result = surface;
-    for (int j = 0; j < nv; ++j) {
-        Row row{surface.knots_u, {}};
-        for (int i = 0; i < nu; ++i) {
-            row.poles.push_back(poles.col(surface.index(i, j)));
-        }
-        row = extend_row(row, surface.degree_u, u0, u1);
-        for (int i = 0; i < nu; ++i) {
-            poles.col(surface.index(i, j)) = row.poles[static_cast<std::size_t>(i)];
-        }
-        result.knots_u = row.knots;
-    }
-    for (int i = 0; i < nu; ++i) {
-        Row row{surface.knots_v, {}};
-        for (int j = 0; j < nv; ++j) {
-            row.poles.push_back(poles.col(surface.index(i, j)));
-        }
-        row = extend_row(row, surface.degree_v, v0, v1);
-        for (int j = 0; j < nv; ++j) {
-            poles.col(surface.index(i, j)) = row.poles[static_cast<std::size_t>(j)];
-        }
-        result.knots_v = row.knots;
-    }
-    for (Eigen::Index k = 0; k < poles.cols(); ++k) {
-        result.poles.col(k) = poles.col(k).head<3>() / poles(3, k);
-        if (result.rational()) {
-            result.weights[k] = poles(3, k);
-        }
-    }
-    return result;
+    return by_rows(surface, [&](const Row& row, int c) {
+        return c == 0 ? extend_row(row, surface.degree_u, u0, u1)
+                      : extend_row(row, surface.degree_v, v0, v1);
+    });
+}
+
+SplineSurface restricted(const SplineSurface& surface, double u0, double u1, double v0, double v1) {
+    return by_rows(surface, [&](const Row& row, int c) {
+        return c == 0 ? restrict_row(row, surface.degree_u, u0, u1)
+                      : restrict_row(row, surface.degree_v, v0, v1);
+    });
 }
 
 SplineSurface transposed(const SplineSurface& surface) {

@@ -48,6 +48,11 @@ struct SurfaceJet {
 [[nodiscard]] SplineSurface extended(const SplineSurface& surface, double u0, double u1, double v0,
                                      double v1);
 
+/// The same surface on the part of its domain in [u0,u1] x [v0,v1]. Bounds outside of the domain
+/// leave that side where it is; u0 < u1 and v0 < v1 meet the domain.
+[[nodiscard]] SplineSurface restricted(const SplineSurface& surface, double u0, double u1,
+                                       double v0, double v1);
+
 /// A surface that closes on itself, on `turns` of its periods: the same points again and again.
 ///
 /// Input    the first and last row of poles (in u, in v) agree; turns >= 1; first: by how many

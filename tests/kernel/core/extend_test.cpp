@@ -239,7 +239,9 @@ TEST(FillExtend, ContinuesAClosedSplineAcrossItsSeam) {
     const Patch& patch = fill->patches.front();
     EXPECT_LT(windows::fit_of(hole, patch).gap, 1e-12);
     EXPECT_LT(windows::largest_jump(patch), 1e-12);
-    EXPECT_EQ(std::get<SplineSurface>(patch.surface).count_u(), 2 * s.count_u() - 1);
+    // Cut open elsewhere: no point has two places.
+    const auto& cut = std::get<SplineSurface>(patch.surface);
+    EXPECT_LT(cut.knots_u.back() - cut.knots_u.front(), 1.9);
 }
 
 }  // namespace

@@ -127,6 +127,32 @@ TEST_P(SplineSurfaceTest, ExtendedPutsLooseEndKnotsToTheEnds) {
     }
 }
 
+TEST_P(SplineSurfaceTest, RestrictedKeepsTheSurfaceOnASmallerDomain) {
+    const SplineSurface s = random_surface(GetParam(), 8);
+    struct Part {
+        double u0, u1, v0, v1;
+    };
+    for (const Part& p :
+         {Part{0.1, 1.3, -0.5, 0.95}, Part{0.3, 0.7, -0.2, 0.9}, Part{0.05, 0.2, 0.1, 0.3},
+          Part{0.0, 0.3, -1.0, -0.2}, Part{-5.0, 5.0, 0.9, 3.0}}) {
+        const SplineSurface r = restricted(s, p.u0, p.u1, p.v0, p.v1);
+        const double u0 = std::max(p.u0, 0.0);
+        const double u1 = std::min(p.u1, 2.0);
+        const double v1 = std::min(p.v1, 1.0);
+        EXPECT_EQ(r.knots_u.front(), u0);
+        EXPECT_EQ(r.knots_u[4], u0);
+        EXPECT_EQ(r.knots_u.back(), u1);
+        EXPECT_EQ(r.knots_v[2], p.v0);
+        EXPECT_EQ(r.knots_v.back(), v1);
+        ASSERT_EQ(r.poles.cols(), r.count_u() * r.count_v());
+        for (double f = 0.0; f <= 1.0; f += 0.1) {
+            const double u = u0 + f * (u1 - u0);
+            const double v = v1 + f * f * (p.v0 - v1);
+            EXPECT_LT((evaluate(r, u, v).point - evaluate(s, u, v).point).norm(), 1e-12);
+        }
+    }
+}
+
 TEST_P(SplineSurfaceTest, TransposedExchangesUAndV) {
     const SplineSurface s = random_surface(GetParam(), 5);
     const SplineSurface t = transposed(s);
