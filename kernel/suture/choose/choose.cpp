@@ -17,6 +17,14 @@ struct Attempt {
     std::function<Result<FillResult>()> fill;
 };
 
+bool position_only(const Hole& hole) {
+    return std::all_of(hole.loops.begin(), hole.loops.end(), [](const RibbonLoop& loop) {
+        return std::all_of(loop.ribbons.begin(), loop.ribbons.end(), [](const Ribbon& ribbon) {
+            return ribbon.continuity == Continuity::G0;
+        });
+    });
+}
+
 std::vector<Attempt> attempts_for(const std::vector<BoundaryLoop>& loops, const Hole& hole,
                                   const FillRequest& request, const Tolerance& tolerance) {
     const bool automatic = request.method == "auto";
@@ -27,6 +35,11 @@ std::vector<Attempt> attempts_for(const std::vector<BoundaryLoop>& loops, const 
                                     return method.fill(hole, {tolerance, request.progress});
                                 }});
         }
+    }
+    if (automatic && position_only(hole)) {
+        // A lid, not the ball or the tip that a rim could also belong to.
+        std::stable_partition(attempts.begin(), attempts.end(),
+                              [](const Attempt& attempt) { return attempt.name == "plane"; });
     }
     const auto plate = [&](PlateSetting setting) {
         const std::string name = setting == PlateSetting::Tuned ? "occt (tuned)" : "occt";
