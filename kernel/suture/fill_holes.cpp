@@ -7,6 +7,7 @@
 #include "suture/detect/find_loops.h"
 #include "suture/faces/join.h"
 #include "suture/faces/make_faces.h"
+#include "suture/faces/unite_corners.h"
 #include "suture/ribbon/extract.h"
 
 #include <TopoDS.hxx>
@@ -163,6 +164,7 @@ Result<FillOutcome> fill_holes(const TopoDS_Shape& shape, const occ::Numbering& 
         request.progress(static_cast<double>(i) / static_cast<double>(selection->holes.size()),
                          fmt::format("filling hole {}", hole.front().id));
         HoleReport report = begin_report(hole, request);
+        unite_corners(shape, hole);
         const auto faces = fill_one(hole, request, report, outcome.seconds_fill);
         if (faces) {
             report.status = FillStatus::Filled;

@@ -1,11 +1,16 @@
 #include "suture/detect/walk_loops.h"
 
 #include "suture/base/tolerance.h"
+#include "suture/detect/use_geometry.h"
 
+#include <Eigen/Geometry>
+
+#include <BRep_Tool.hxx>
 #include <TopExp.hxx>
 #include <TopTools_DataMapOfShapeInteger.hxx>
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 
 namespace suture {
@@ -68,6 +73,86 @@ RawLoop walk_from(const ShellGraph& graph, int start, std::vector<bool>& visited
     }
 }
 
+/// Two sides of a gap that leave a place at a smaller angle lie on each other there: a crack, whose
+/// sides have vertices in the same places all along.
+constexpr double kCrack = radians(1.0);
+
+/// A part of a loop smaller than this many tolerances of the place where it begins and ends is an
+/// edge too short for its tolerance.
+constexpr double kSmallPart = 10.0;
+
+/// The walk along a step: a point at each chord.
+Eigen::Vector3d point_at(const ShellGraph& graph, const LoopStep& step, double t) {
+    const EdgeUse& use = graph.uses[step.use];
+    return UseGeometry(use.edge, graph.faces[use.face]).at(step.along_use ? t : 1.0 - t).point;
+}
+
+bool lie_on_each_other(const ShellGraph& graph, const LoopStep& arriving, const LoopStep& leaving) {
+    constexpr double kStep = 1.0 / kChords;
+    const Eigen::Vector3d back =
+        point_at(graph, arriving, 1.0 - kStep) - point_at(graph, arriving, 1.0);
+    const Eigen::Vector3d on = point_at(graph, leaving, kStep) - point_at(graph, leaving, 0.0);
+    return std::atan2(back.cross(on).norm(), back.dot(on)) < kCrack;
+}
+
+/// Whether the steps from `first` on, as many as given, stay at the place where they begin.
+bool stays(const ShellGraph& graph, const std::vector<LoopStep>& steps, std::size_t first,
+           std::size_t count, double tolerance) {
+    const Eigen::Vector3d place = point_at(graph, steps[first % steps.size()], 0.0);
+    for (std::size_t k = 0; k < count; ++k) {
+        const LoopStep& step = steps[(first + k) % steps.size()];
+        for (const double t : {0.5, 1.0}) {
+            if ((point_at(graph, step, t) - place).norm() > kSmallPart * tolerance) {
+                return false;
+            }
+        }
+    }
+    return true;
+}
+
+/// Gaps that touch in a place where each has a vertex of its own: both vertices become one here, so
+/// that the loop is cut as if the file had but one.
+void unite_touching_ends(const ShellGraph& graph, RawLoop& loop) {
+    std::vector<LoopStep>& steps = loop.steps;
+    const std::size_t n = steps.size();
+    struct Place {
+        gp_Pnt point;
+        double tolerance;
+        std::size_t step;
+    };
+    std::vector<Place> places;
+    for (std::size_t i = 0; i < n && loop.closed; ++i) {
+        if (!steps[i].end.IsNull()) {
+            places.push_back({BRep_Tool::Pnt(steps[i].end), BRep_Tool::Tolerance(steps[i].end), i});
+        }
+    }
+    std::sort(places.begin(), places.end(),
+              [](const Place& a, const Place& b) { return a.point.X() < b.point.X(); });
+    double widest = 0.0;
+    for (const Place& place : places) {
+        widest = std::max(widest, place.tolerance);
+    }
+    for (std::size_t a = 0; a < places.size(); ++a) {
+        for (std::size_t b = a + 1; b < places.size(); ++b) {
+            if (places[b].point.X() - places[a].point.X() > widest) {
+                break;
+            }
+            const std::size_t i = std::min(places[a].step, places[b].step);
+            const std::size_t j = std::max(places[a].step, places[b].step);
+            const double tolerance = std::max(places[a].tolerance, places[b].tolerance);
+            if (steps[i].end.IsSame(steps[j].end) ||
+                places[a].point.Distance(places[b].point) > tolerance ||
+                lie_on_each_other(graph, steps[j], steps[i + 1]) ||
+                lie_on_each_other(graph, steps[i], steps[(j + 1) % n]) ||
+                stays(graph, steps, i + 1, j - i, tolerance) ||
+                stays(graph, steps, j + 1, n - (j - i), tolerance)) {
+                continue;
+            }
+            steps[j].end = steps[i].end;
+        }
+    }
+}
+
 /// Cuts a loop wherever it comes back to a vertex: the parts bound different gaps.
 void split_at_vertices(const RawLoop& loop, std::vector<RawLoop>& result) {
     std::vector<LoopStep> open;
@@ -124,8 +209,10 @@ std::vector<RawLoop> walk_loops(const ShellGraph& graph) {
     std::vector<bool> visited(graph.uses.size(), false);
     for (int i = 0; i < static_cast<int>(graph.uses.size()); ++i) {
         if (graph.uses[i].free && !visited[i]) {
+            RawLoop whole = walk_from(graph, i, visited);
+            unite_touching_ends(graph, whole);
             std::vector<RawLoop> parts;
-            split_at_vertices(walk_from(graph, i, visited), parts);
+            split_at_vertices(whole, parts);
             measure_turning(parts);
             std::move(parts.begin(), parts.end(), std::back_inserter(loops));
         }

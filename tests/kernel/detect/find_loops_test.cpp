@@ -116,6 +116,52 @@ TEST(FindLoops, GivesTwoLoopsWhereHolesTouchInAVertexOfABody) {
     }
 }
 
+TEST(FindLoops, GivesTwoLoopsWhereHolesTouchInAPlaceWithTwoVertices) {
+    PolygonMesh mesh({{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}, {0, 0, 1.5}, {0, 0, 1.5}});
+    const TopoDS_Shell open =
+        test::shell_of({mesh.face({3, 2, 1, 0}), mesh.face({1, 2, 4}), mesh.face({3, 0, 5})});
+    for (const TopoDS_Shape& shape : {TopoDS_Shape(open), open.Reversed(), test::renumbered(open),
+                                      test::moved(open, 1e3), test::moved(open, 1e-2)}) {
+        const auto loops = loops_of(shape);
+        ASSERT_EQ(census(loops), (Census{{"hole", 3}, {"hole", 3}}));
+        for (const BoundaryLoop& loop : loops) {
+            test::expect_well_walked(loop);
+        }
+    }
+}
+
+TEST(FindLoops, DoesNotCutACrackWhereItsSidesHaveVerticesInOnePlace) {
+    PolygonMesh mesh({{-3, 0, 0},
+                      {-2, 0, 0},
+                      {0, 0, 0},
+                      {0, 0, 0},
+                      {2, 0, 0},
+                      {3, 0, 0},
+                      {3, -2, 0},
+                      {-3, -2, 0},
+                      {3, 2, 0},
+                      {-3, 2, 0}});
+    const auto loops = loops_of(
+        test::shell_of({mesh.face({7, 6, 5, 4, 2, 1, 0}), mesh.face({0, 1, 3, 4, 5, 8, 9})}));
+    EXPECT_EQ(census(loops), (Census{{"rim", 6}, {"seam", 4}}));
+}
+
+TEST(FindLoops, DoesNotCutOffAnEdgeThatIsShorterThanItsTolerance) {
+    PolygonMesh mesh({{0, 0, 0},
+                      {9, 0, 0},
+                      {9, 5, 0},
+                      {0, 5, 0},
+                      {1, 1, 0},
+                      {2, 1, 0},
+                      {2, 1.001, 0},
+                      {1, 2, 0}});
+    TopoDS_Shell sheet = test::shell_of({mesh.face({{0, 1, 2, 3}, {4, 7, 6, 5}})});
+    for (TopExp_Explorer it(sheet, TopAbs_VERTEX); it.More(); it.Next()) {
+        BRep_Builder().UpdateVertex(TopoDS::Vertex(it.Current()), 0.002);
+    }
+    EXPECT_EQ(census(sheet), (Census{{"rim", 4}, {"hole", 4}}));
+}
+
 TEST(FindLoops, GivesTwoLoopsWhereHolesTouchInAVertexOfOneFace) {
     PolygonMesh mesh({{-9, -5, 0},
                       {9, -5, 0},

@@ -13,6 +13,7 @@
 #include <BRepGProp.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
+#include <BRepTools_ReShape.hxx>
 #include <BRep_Tool.hxx>
 #include <GProp_GProps.hxx>
 #include <GeomConvert.hxx>
@@ -157,6 +158,61 @@ TEST(FillHoles, FillsSeveralHolesInOneRunAlsoTouchingOnes) {
         expect_closed_solid(*outcome);
         EXPECT_NEAR(volume(outcome->shape), 2.0 * kPi * kPi * 5.0 * 1.5 * 1.5, 1e-4);
     }
+}
+
+/// The shell with one face standing on a vertex of its own in a place, if it stands there.
+TopoDS_Shape torn_at(const TopoDS_Shape& shell, int face_number, const gp_Pnt& where) {
+    const BRep_Builder builder;
+    TopoDS_Shell torn;
+    builder.MakeShell(torn);
+    int number = 0;
+    for (TopExp_Explorer it(shell, TopAbs_FACE); it.More(); it.Next(), ++number) {
+        TopoDS_Shape face = it.Current();
+        for (TopExp_Explorer v(face, TopAbs_VERTEX); number == face_number && v.More(); v.Next()) {
+            const TopoDS_Vertex vertex = TopoDS::Vertex(v.Current());
+            if (BRep_Tool::Pnt(vertex).Distance(where) < 1e-6) {
+                TopoDS_Vertex own;
+                builder.MakeVertex(own, BRep_Tool::Pnt(vertex), BRep_Tool::Tolerance(vertex));
+                BRepTools_ReShape change;
+                change.Replace(vertex, own.Oriented(vertex.Orientation()));
+                face = change.Apply(face);
+                break;
+            }
+        }
+        builder.Add(torn, face);
+    }
+    return torn;
+}
+
+TEST(FillHoles, FillsHolesThatTouchInAPlaceWithTwoVertices) {
+    const Body body = bodies().front();
+    const std::set<std::pair<int, int>> missing = {{1, 0}, {2, 1}};
+    const gp_Pnt place = body.surface->Value(body.us[2], body.vs[1]);
+    const auto places = [&](const TopoDS_Shape& shape) {
+        TopTools_MapOfShape found;
+        for (TopExp_Explorer it(shape, TopAbs_VERTEX); it.More(); it.Next()) {
+            if (BRep_Tool::Pnt(TopoDS::Vertex(it.Current())).Distance(place) < 1e-6) {
+                found.Add(it.Current());
+            }
+        }
+        return found.Extent();
+    };
+    int torn_apart = 0;
+    for (int face = 0; face < 4 * 3 - 2; ++face) {
+        SCOPED_TRACE(face);
+        const TopoDS_Shape torn =
+            torn_at(grids::shell_of(body.surface, body.us, body.vs, missing), face, place);
+        torn_apart += places(torn) == 2 ? 1 : 0;
+        const auto outcome = fill(torn);
+        ASSERT_TRUE(outcome) << outcome.error().message;
+        EXPECT_EQ(outcome->holes.size(), 2U);
+        EXPECT_EQ(outcome->new_faces.size(), 2U);
+        expect_closed_solid(*outcome);
+        EXPECT_NEAR(volume(outcome->shape), 2.0 * kPi * kPi * 5.0 * 1.5 * 1.5, 1e-4);
+        EXPECT_EQ(places(outcome->shape), 1);
+        expect_untouched(torn, outcome->shape);
+    }
+    EXPECT_EQ(torn_apart, 2);  // both faces that stand between the holes
 }
 
 TEST(FillHoles, FillsOnlyTheHolesAskedForAndReportsTheOthersAsSkipped) {
