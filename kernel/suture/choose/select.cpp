@@ -17,16 +17,10 @@ bool contains_edge(const BoundaryLoop& loop, int edge) {
                        [&](const BoundaryEdge& e) { return e.edge_number == edge; });
 }
 
-/// A loop with the islands that detection found to bound the same missing face, but those that are
-/// named on their own.
-std::vector<int> with_islands(const BoundaryLoop& loop, const FillRequest& request) {
+/// A loop with the islands that detection found to bound the same missing face.
+std::vector<int> with_islands(const BoundaryLoop& loop) {
     std::vector<int> ids = {loop.id};
-    for (const int island : loop.islands_with) {
-        if (std::find(request.holes.begin(), request.holes.end(), std::vector{island}) ==
-            request.holes.end()) {
-            ids.push_back(island);
-        }
-    }
+    ids.insert(ids.end(), loop.islands_with.begin(), loop.islands_with.end());
     return ids;
 }
 
@@ -40,8 +34,7 @@ Result<std::vector<std::vector<int>>> named(const std::vector<BoundaryLoop>& loo
                             id, loops.size());
             }
         }
-        groups.push_back(ids.size() == 1 ? with_islands(*find_id(loops, ids.front()), request)
-                                         : ids);
+        groups.push_back(ids.size() == 1 ? with_islands(*find_id(loops, ids.front())) : ids);
     }
     for (const int edge : request.edges) {
         const auto loop = std::find_if(loops.begin(), loops.end(), [&](const BoundaryLoop& l) {
@@ -50,7 +43,7 @@ Result<std::vector<std::vector<int>>> named(const std::vector<BoundaryLoop>& loo
         if (loop == loops.end()) {
             return fail(ErrorCode::Usage, "edge {} lies on no boundary loop", edge);
         }
-        groups.push_back(with_islands(*loop, request));
+        groups.push_back(with_islands(*loop));
     }
     return groups;
 }
@@ -77,7 +70,7 @@ Result<Selection> select_holes(const std::vector<BoundaryLoop>& loops, const Fil
     if (request.holes.empty() && request.edges.empty()) {
         for (const BoundaryLoop& loop : loops) {
             if (fillable(loop.kind, request.all_loops)) {
-                groups.push_back(with_islands(loop, request));
+                groups.push_back(with_islands(loop));
             }
         }
     } else {

@@ -8,9 +8,10 @@ namespace suture {
 /// B-spline.
 ///
 /// Result   one patch on that surface, exact. The seam of a closed surface is moved out of the
-///          hole; a B-spline goes on beyond its domain with its outermost polynomials.
+///          hole; what goes all the way around gets a seam of its own (Patch::seam). A B-spline
+///          goes on beyond its domain with its outermost polynomials.
 /// Refuses  neighbours on different surfaces or on one without a closed form, naming the two faces;
-///          a hole that goes all the way around the surface's axis or over its pole.
+///          loops that bound no one face of the surface.
 [[nodiscard]] Result<FillResult> fill_extend(const Hole& hole, const FillOptions& options);
 
 }  // namespace suture

@@ -139,6 +139,138 @@ TEST(FillExtend, RefusesABandAroundTheAxis) {
     EXPECT_NE(fill.error().message.find("all the way around"), std::string::npos);
 }
 
+/// A loop all the way around a surface, along one coordinate (`c`) with the other one at `at` and
+/// waved by `wave`, in three sides from `start` on; forwards or backwards.
+RibbonLoop ring(const Surface& surface, int c, double at, double wave, double start, double sign,
+                bool reversed) {
+    RibbonLoop loop;
+    for (int side = 0; side < 3; ++side) {
+        const auto uv = [=](double s) {
+            const double angle = start + sign * 2.0 * kPi * (side + s) / 3.0;
+            Vector2d p;
+            p[c] = angle;
+            p[1 - c] = at + wave * std::sin(2.0 * angle);
+            return p;
+        };
+        const auto velocity = [=](double s) {
+            Vector2d p;
+            p[c] = sign * 2.0 * kPi / 3.0;
+            p[1 - c] = p[c] * wave * 2.0 * std::cos(2.0 * uv(s)[c]);
+            return p;
+        };
+        Ribbon ribbon;
+        ribbon.edge = ribbon.face = side + 1;
+        ribbon.support = Support{surface, reversed, uv};
+        ribbon.at = [=](double s) {
+            const SurfaceJet jet = evaluate(surface, uv(s).x(), uv(s).y());
+            RibbonPoint p;
+            p.point = jet.point;
+            p.normal = (reversed ? -1.0 : 1.0) * jet.u.cross(jet.v).normalized();
+            p.tangent = velocity(s).x() * jet.u + velocity(s).y() * jet.v;
+            p.inward = p.normal.cross(p.tangent).normalized();
+            p.curvature.setZero();
+            return p;
+        };
+        loop.ribbons.push_back(ribbon);
+    }
+    return loop;
+}
+
+/// What Patch::seam promises of the trimming curves.
+void expect_well_seamed(const Patch& patch) {
+    ASSERT_TRUE(patch.seam);
+    const Seam& seam = *patch.seam;
+    const auto check = [&](int loop, int corner, const Vector2d& begin, const Vector2d& end) {
+        const auto& trims = patch.trims[static_cast<std::size_t>(loop)];
+        const std::size_t n = trims.size();
+        Vector2d now = begin;
+        for (std::size_t k = 0; k < n; ++k) {
+            const TrimCurve& trim = trims[(static_cast<std::size_t>(corner) + k) % n];
+            EXPECT_LT((trim(0.0) - now).norm(), 1e-9);
+            now = trim(1.0);
+        }
+        EXPECT_LT((now - end).norm(), 1e-9);
+    };
+    check(seam.loop, seam.corner, seam.from, seam.from + seam.period);
+    if (seam.other_loop >= 0) {
+        check(seam.other_loop, seam.other_corner, seam.to + seam.period, seam.to);
+    }
+}
+
+TEST(FillExtend, CutsABandOpenBetweenTwoLoops) {
+    struct Case {
+        Surface surface;
+        int around;
+        double low, high;
+    };
+    const std::vector<Case> cases = {{Cylinder{tilted(), 2.0}, 0, -1.0, 3.0},
+                                     {Cone{tilted(), 1.5, 0.4}, 0, 0.0, 2.0},
+                                     {Sphere{tilted(), 3.0}, 0, -0.6, 0.8},
+                                     {Torus{tilted(), 5.0, 1.25}, 0, 2.5, 4.5},
+                                     {Torus{tilted(), 5.0, 1.25}, 1, -0.7, 0.9}};
+    for (const Case& c : cases) {
+        for (const bool reversed : {false, true}) {
+            for (const double start : {0.0, 0.4, 2.0}) {
+                // Left of a loop that goes along u lies v, left of one along v lies -u.
+                const double sign = (c.around == 0) != reversed ? 1.0 : -1.0;
+                Hole hole;
+                hole.loops = {ring(c.surface, c.around, c.low, 0.1, 0.0, sign, reversed),
+                              ring(c.surface, c.around, c.high, 0.1, start, -sign, reversed)};
+                hole.diameter = windows::diameter_of(hole);
+                const auto fill = fill_extend(hole, {});
+                ASSERT_TRUE(fill) << kind_name(c.surface) << fill.error().message;
+                const Patch& patch = fill->patches.front();
+                EXPECT_EQ(patch.reversed, reversed);
+                const auto fit = windows::fit_of(hole, patch);
+                EXPECT_LT(fit.gap, 1e-12);
+                EXPECT_LT(fit.angle, 1e-12);
+                expect_well_seamed(patch);
+            }
+        }
+    }
+}
+
+TEST(FillExtend, GoesOnToTheTipOfACone) {
+    for (const double half_angle : {0.4, -0.4, 1.3}) {
+        const Surface cone = Cone{tilted(), 1.5, half_angle};
+        const double tip = -1.5 / std::sin(half_angle);
+        for (const bool reversed : {false, true}) {
+            const double sign = (tip > 0.0) != reversed ? 1.0 : -1.0;
+            Hole hole;
+            hole.loops = {ring(cone, 0, 0.0, 0.2, 1.0, sign, reversed)};
+            hole.diameter = windows::diameter_of(hole);
+            const auto fill = fill_extend(hole, {});
+            ASSERT_TRUE(fill) << fill.error().message;
+            const Patch& patch = fill->patches.front();
+            EXPECT_LT(windows::fit_of(hole, patch).gap, 1e-12);
+            expect_well_seamed(patch);
+            EXPECT_EQ(patch.seam->other_loop, -1);
+            EXPECT_NEAR(patch.seam->to.y(), tip, 1e-12);
+        }
+    }
+}
+
+TEST(FillExtend, RefusesALoopWithTheHoleOnTheOpenSideOfACone) {
+    const Surface cone = Cone{tilted(), 1.5, 0.4};
+    Hole hole;
+    hole.loops = {ring(cone, 0, 0.0, 0.0, 0.0, 1.0, false)};
+    hole.diameter = windows::diameter_of(hole);
+    const auto fill = fill_extend(hole, {});
+    ASSERT_FALSE(fill);
+    EXPECT_NE(fill.error().message.find("nothing ends it"), std::string::npos);
+}
+
+TEST(FillExtend, RefusesTwoLoopsWithTheMaterialBetweenThem) {
+    const Surface cylinder = Cylinder{tilted(), 2.0};
+    Hole hole;
+    hole.loops = {ring(cylinder, 0, 0.0, 0.0, 0.0, -1.0, false),
+                  ring(cylinder, 0, 3.0, 0.0, 0.0, 1.0, false)};
+    hole.diameter = windows::diameter_of(hole);
+    const auto fill = fill_extend(hole, {});
+    ASSERT_FALSE(fill);
+    EXPECT_NE(fill.error().message.find("between the two loops"), std::string::npos);
+}
+
 TEST(FillExtend, RefusesNeighboursOfOppositeOrientation) {
     const Sphere sphere{tilted(), 3.0};
     Hole hole = windows::window_in(sphere, {{1.0, 0.1}, {0.5, 0.4}, 3, false});

@@ -347,17 +347,9 @@ TEST(ExtendAround, FindsASeamBetweenCornersThatDoNotFaceEachOther) {
 
 TEST(ExtendAround, LeavesAnIslandInTheBand) {
     const Handle<Geom_Surface> cone = occ::make<Geom_ConicalSurface>(axes(), 0.4, 1.0);
-    Body body{"", cone, {0.0, 1.3, 2.9, 4.4, kTurn}, {0, 1, 2, 3, 4}, {0, 4}, {}};
-    for (int i = 0; i < 4; ++i) {
-        for (const int j : {1, 2}) {
-            body.missing.insert({i, j});
-        }
-    }
     for (const int kept : {0, 1, 3}) {
         SCOPED_TRACE(kept);
-        Body with_island = body;
-        with_island.vs = {0, 1, 1.5, 2, 2.5, 4};
-        with_island.missing.clear();
+        Body with_island{"", cone, {0.0, 1.3, 2.9, 4.4, kTurn}, {0, 1, 1.5, 2, 4}, {0, 4}, {}};
         for (int i = 0; i < 4; ++i) {
             for (const int j : {1, 2, 3}) {
                 if (i != kept || j != 2) {
@@ -379,7 +371,7 @@ TEST(ExtendAround, IsTheSameReversedMovedAndScaled) {
     const std::vector<Body> all = bodies();
     for (const double scale : {1e-3, 1e3}) {
         for (const bool reversed : {false, true}) {
-            for (std::size_t k = 0; k < all.size(); k += 3) {
+            for (std::size_t k = 0; k < all.size(); k += 5) {
                 const Body& body = all[k];
                 SCOPED_TRACE(testing::Message() << body.name << " " << scale << " " << reversed);
                 gp_Trsf size;
