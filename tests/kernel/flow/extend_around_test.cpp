@@ -185,6 +185,25 @@ std::vector<Body> bodies() {
                           {},
                           column(0, n)});
     }
+    // Windows that lie across the neighbours' own seams.
+    const std::set<std::pair<int, int>> beside = {{0, 1}, {3, 1}};
+    result.push_back({"cylinder window", cylinder, four, {0, 1, 3, 4}, {0, 4}, beside});
+    for (const auto& ring : {torus, spline_of(torus)}) {
+        const std::string kind = ring == torus ? "torus" : "B-spline torus";
+        result.push_back({kind + " window", ring, four, {0, 1.7, 3.6, kTurn}, {}, beside});
+        result.push_back({kind + " window across both seams",
+                          ring,
+                          four,
+                          {0, 1.7, 3.6, kTurn},
+                          {},
+                          {{0, 0}, {3, 0}, {0, 2}, {3, 2}}});
+        result.push_back({kind + " band across a seam",
+                          ring,
+                          four,
+                          {0, 0.8, 5.2, kTurn},
+                          {},
+                          {{0, 0}, {1, 0}, {2, 0}, {3, 0}, {0, 2}, {1, 2}, {2, 2}, {3, 2}}});
+    }
     for (const int i : {0, 1, 3}) {
         result.push_back({fmt::format("part {} of a cone's tip", i),
                           cone,
@@ -228,7 +247,7 @@ void expect_closed_solid(const TopoDS_Shape& shape, double truth) {
     for (TopExp_Explorer it(shape, TopAbs_SHELL); it.More(); it.Next()) {
         EXPECT_TRUE(BRep_Tool::IsClosed(it.Current()));
     }
-    EXPECT_NEAR(volume(shape), truth, 1e-8 * truth);
+    EXPECT_NEAR(volume(shape), truth, 1e-7 * truth);
 }
 
 /// The outcome as made and as read back from a STEP file.
@@ -349,7 +368,7 @@ TEST(ExtendAround, LeavesAnIslandInTheBand) {
     const Handle<Geom_Surface> cone = occ::make<Geom_ConicalSurface>(axes(), 0.4, 1.0);
     for (const int kept : {0, 1, 3}) {
         SCOPED_TRACE(kept);
-        Body with_island{"", cone, {0.0, 1.3, 2.9, 4.4, kTurn}, {0, 1, 1.5, 2, 4}, {0, 4}, {}};
+        Body with_island{"", cone, {0.0, 1.3, 2.9, 4.4, kTurn}, {0, 1, 1.5, 2, 2.5, 4}, {0, 4}, {}};
         for (int i = 0; i < 4; ++i) {
             for (const int j : {1, 2, 3}) {
                 if (i != kept || j != 2) {

@@ -106,12 +106,12 @@ Trace unwrap(const Chart& chart, const Samples& samples, bool reversed) {
     const Vector2d start = samples.front().front();
     Vector2d now = start;
     const auto join = [&](const Vector2d& next, std::size_t corner) {
-        const Vector2d close = nearest(next, now, chart.period);
+        Vector2d close = nearest(next, now, chart.period);
         const Pole* pole = chart.pole_at(now);
         if (pole == nullptr || pole != chart.pole_at(close)) {
             return close;
         }
-        const Vector2d there = along_pole(*pole, now, close, chart.period, reversed);
+        Vector2d there = along_pole(*pole, now, close, chart.period, reversed);
         if (there != now) {
             trace.pole_corners.push_back(static_cast<int>(corner));
         }
