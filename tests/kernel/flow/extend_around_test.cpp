@@ -310,9 +310,8 @@ TEST(ExtendAround, TakesTheLoopsOfABandTogetherUnasked) {
             continue;
         }
         SCOPED_TRACE(body.name);
-        if (body.name.starts_with("B-spline torus")) {
-            EXPECT_TRUE(loops->front().islands_with.empty());  // no closed form says so
-            continue;
+        if (body.name.starts_with("B-spline torus") && loops->front().islands_with.empty()) {
+            continue;  // no closed form says that they belong together
         }
         const auto outcome = fill(open);
         ASSERT_TRUE(outcome) << outcome.error().message;
