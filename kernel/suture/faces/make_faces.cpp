@@ -24,19 +24,60 @@ namespace {
 
 using occ::Handle;
 
-/// Samples per edge for the distance between its curve and the new surface; BRepCheck uses 23.
+/// Samples per edge for the distance between its curve and the new surface.
 constexpr int kSamples = 92;
 
-/// A tolerance covers what was sampled and a little more, for what lies between the samples.
+/// Golden sections of the intervals about a peak among the samples: below 1e-6 of its width.
+constexpr int kSections = 28;
+
+/// Peaks this much lower than the highest sample cannot hide the largest distance.
+constexpr double kWorthALook = 0.5;
+
+/// A tolerance covers the largest distance found and a little more.
 constexpr double kMargin = 1.01;
 
-/// The largest distance between an edge's curve and its trace on the surface, at equal parameters.
-double distance_along(const Geom_Curve& curve, double first, double last,
-                      const std::function<gp_Pnt(double)>& on_surface) {
-    double largest = 0.0;
+/// The largest value in an interval that has one peak.
+double peak(const std::function<double(double)>& f, double low, double high) {
+    const double golden = 0.5 * (std::sqrt(5.0) - 1.0);
+    double a = high - golden * (high - low);
+    double b = low + golden * (high - low);
+    double at_a = f(a);
+    double at_b = f(b);
+    for (int k = 0; k < kSections; ++k) {
+        if (at_a > at_b) {
+            high = b;
+            b = a;
+            at_b = at_a;
+            a = high - golden * (high - low);
+            at_a = f(a);
+        } else {
+            low = a;
+            a = b;
+            at_a = at_b;
+            b = low + golden * (high - low);
+            at_b = f(b);
+        }
+    }
+    return std::max(at_a, at_b);
+}
+
+/// The largest distance along an edge: BRepCheck samples elsewhere than we do, so that the peaks
+/// count.
+double largest_along(double first, double last, const std::function<double(double)>& distance) {
+    const auto parameter = [&](int k) { return first + (last - first) * k / kSamples; };
+    std::vector<double> samples;
     for (int k = 0; k <= kSamples; ++k) {
-        const double t = first + (last - first) * k / kSamples;
-        largest = std::max(largest, curve.Value(t).Distance(on_surface(t)));
+        samples.push_back(distance(parameter(k)));
+    }
+    const double highest = *std::max_element(samples.begin(), samples.end());
+    double largest = highest;
+    for (int k = 0; k <= kSamples; ++k) {
+        const int before = std::max(k - 1, 0);
+        const int after = std::min(k + 1, kSamples);
+        const auto value = [&](int i) { return samples[static_cast<std::size_t>(i)]; };
+        if (value(k) >= std::max({value(before), value(after), kWorthALook * highest})) {
+            largest = std::max(largest, peak(distance, parameter(before), parameter(after)));
+        }
     }
     return largest;
 }
@@ -51,18 +92,16 @@ double put_on_surface(const TopoDS_Edge& edge, const Handle<Geom_Surface>& surfa
     double distance = 0.0;
     if (const auto plane = occ::cast<Geom_Plane>(surface)) {
         const gp_Pln pln = plane->Pln();
-        for (int k = 0; k <= kSamples; ++k) {
-            const double t = first + (last - first) * k / kSamples;
-            distance = std::max(distance, pln.Distance(curve->Value(t)));
-        }
+        distance =
+            largest_along(first, last, [&](double t) { return pln.Distance(curve->Value(t)); });
     } else {
         const auto at = [&](double t) {
             return trim((t - ribbon.first) / (ribbon.last - ribbon.first));
         };
         const Handle<Geom2d_Curve> pcurve = fit_pcurve(at, first, last, *surface, accuracy);
-        distance = distance_along(*curve, first, last, [&](double t) {
+        distance = largest_along(first, last, [&](double t) {
             const gp_Pnt2d uv = pcurve->Value(t);
-            return surface->Value(uv.X(), uv.Y());
+            return curve->Value(t).Distance(surface->Value(uv.X(), uv.Y()));
         });
         builder.UpdateEdge(edge, pcurve, surface, TopLoc_Location(), 0.0);
     }
