@@ -21,7 +21,8 @@ namespace {
 /// A shell, or a face that belongs to none: what a new face can be added to.
 struct Carrier {
     TopoDS_Shape shape;
-    int leader = 0;                  ///< the carrier that this one is merged into; itself if none
+    int leader = 0;  ///< the carrier that this one is merged into; itself if none
+    int group = 0;   ///< the same for loose faces that hang together by edges: one shell's worth
     std::vector<TopoDS_Face> added;  ///< at leaders: the new faces
 };
 
@@ -33,6 +34,7 @@ class Joiner {
         }
         for (TopExp_Explorer it(shape, TopAbs_FACE, TopAbs_SHELL); it.More(); it.Next()) {
             add_carrier(it.Current());
+            group_with_neighbours(it.Current());
         }
         for (const TopoDS_Face& face : faces) {
             attach(face);
@@ -98,10 +100,29 @@ class Joiner {
             return;  // the same shell in the same place twice
         }
         const int number = static_cast<int>(carriers_.size());
-        carriers_.push_back({shape, number, {}});
+        carriers_.push_back({shape, number, number, {}});
         carrier_of_.Bind(shape, number);
         for (TopExp_Explorer it(shape, TopAbs_EDGE); it.More(); it.Next()) {
             edges_.Bind(it.Current(), number);
+        }
+    }
+
+    /// Loose faces that share edges are filled as the shell that they would be.
+    void group_with_neighbours(const TopoDS_Shape& loose) {
+        const int number = carrier_of_.Find(loose);
+        for (TopExp_Explorer it(loose, TopAbs_EDGE); it.More(); it.Next()) {
+            const int* known = loose_edges_.Seek(it.Current());
+            if (known == nullptr) {
+                loose_edges_.Bind(it.Current(), number);
+                continue;
+            }
+            const int group = carrier(*known).group;
+            const int merged = carrier(number).group;
+            if (group != merged) {
+                for (Carrier& other : carriers_) {
+                    other.group = other.group == merged ? group : other.group;
+                }
+            }
         }
     }
 
@@ -111,7 +132,11 @@ class Joiner {
         std::set<int> leaders;
         for (TopExp_Explorer it(face, TopAbs_EDGE); it.More(); it.Next()) {
             if (const int* number = edges_.Seek(it.Current())) {
-                leaders.insert(carrier(*number).leader);
+                for (const Carrier& other : carriers_) {
+                    if (other.group == carrier(*number).group) {
+                        leaders.insert(other.leader);
+                    }
+                }
             }
         }
         SUTURE_EXPECTS(!leaders.empty());  // new faces stand on the shape's own edges
@@ -166,6 +191,7 @@ class Joiner {
     std::vector<Carrier> carriers_;
     TopTools_DataMapOfShapeInteger carrier_of_;
     TopTools_DataMapOfShapeInteger edges_;
+    TopTools_DataMapOfShapeInteger loose_edges_;
 };
 
 }  // namespace
