@@ -1,0 +1,215 @@
+#include "suture/faces/make_faces.h"
+
+#include "suture/occ/convert.h"
+
+#include <Eigen/Geometry>
+
+#include "kernel/faces/holes.h"
+#include <gtest/gtest.h>
+
+#include <BRepCheck_Analyzer.hxx>
+#include <Geom2d_Curve.hxx>
+#include <Geom_Curve.hxx>
+
+#include <cmath>
+
+namespace suture {
+namespace {
+
+using occ::from_occ;
+using occ::Handle;
+using test::OpenHole;
+
+struct Made {
+    TopoDS_Shape shape;
+    OpenHole open;
+    NewFaces faces;
+    double scale = 1.0;
+
+    [[nodiscard]] const TopoDS_Face& face() const { return faces.faces.front(); }
+};
+
+/// Runs an action on the new face of every hole of every open shell.
+template <class Action>
+void for_every_hole(Action&& action) {
+    for (const auto& [name, shape, scale] : test::open_shells()) {
+        SCOPED_TRACE(name);
+        for (OpenHole& open : test::holes_of(shape)) {
+            auto faces = make_faces(open.loops, open.hole, open.fill);
+            ASSERT_TRUE(faces) << faces.error().message;
+            ASSERT_EQ(faces->faces.size(), 1U);
+            action(Made{shape, std::move(open), std::move(*faces), scale});
+        }
+    }
+}
+
+/// The edge's curve and its image on the face, both at the edge's parameter t.
+struct EdgeOnFace {
+    double first = 0.0, last = 0.0, first2d = 0.0, last2d = 0.0;
+    Handle<Geom_Curve> curve;
+    Handle<Geom2d_Curve> pcurve;
+    Handle<Geom_Surface> surface;
+
+    EdgeOnFace(const TopoDS_Edge& edge, const TopoDS_Face& face)
+        : curve(BRep_Tool::Curve(edge, first, last)),
+          pcurve(BRep_Tool::CurveOnSurface(edge, face, first2d, last2d)),
+          surface(BRep_Tool::Surface(face)) {}
+
+    [[nodiscard]] double at(int k, int of) const { return first + (last - first) * k / of; }
+    [[nodiscard]] double distance(double t) const {
+        const gp_Pnt2d uv = pcurve->Value(t);
+        return curve->Value(t).Distance(surface->Value(uv.X(), uv.Y()));
+    }
+    [[nodiscard]] double largest_distance(int samples) const {
+        double largest = 0.0;
+        for (int k = 0; k <= samples; ++k) {
+            largest = std::max(largest, distance(at(k, samples)));
+        }
+        return largest;
+    }
+};
+
+TEST(MakeFaces, StandsOnTheHolesOwnEdges) {
+    for_every_hole([](const Made& made) {
+        const auto& sides = made.open.loops.front().edges;
+        const auto edges = occ::edges_of(made.face());
+        EXPECT_EQ(edges.size(), sides.size());
+        for (const BoundaryEdge& side : sides) {
+            EXPECT_TRUE(std::any_of(edges.begin(), edges.end(),
+                                    [&](const auto& edge) { return edge.IsSame(side.edge); }));
+        }
+    });
+}
+
+TEST(MakeFaces, LeavesEveryToleranceAsItWas) {
+    for (const auto& [name, shape, scale] : test::open_shells()) {
+        SCOPED_TRACE(name);
+        const auto before = test::tolerances_of(shape);
+        for (const OpenHole& open : test::holes_of(shape)) {
+            const auto made = make_faces(open.loops, open.hole, open.fill);
+            ASSERT_TRUE(made) << made.error().message;
+            EXPECT_LT(made->max_gap, 1e-8 * open.hole.diameter);
+        }
+        EXPECT_EQ(test::tolerances_of(shape), before);
+    }
+}
+
+TEST(MakeFaces, GivesPcurvesThatRunWithTheEdges) {
+    for_every_hole([](const Made& made) {
+        for (const BoundaryEdge& side : made.open.loops.front().edges) {
+            const EdgeOnFace on(side.edge, made.face());
+            ASSERT_FALSE(on.pcurve.IsNull());
+            EXPECT_NEAR(on.first, on.first2d, 1e-9 * (on.last - on.first));
+            EXPECT_NEAR(on.last, on.last2d, 1e-9 * (on.last - on.first));
+            EXPECT_LT(on.largest_distance(1000), 1e-8 * made.open.hole.diameter);
+        }
+    });
+}
+
+TEST(MakeFaces, FacesTheWayOfTheNeighboursAndIsValid) {
+    for_every_hole([](const Made& made) {
+        const double sign = made.face().Orientation() == TopAbs_REVERSED ? -1.0 : 1.0;
+        const bool tangent = made.shape.NbChildren() > 6;  // the torus, not the box
+        const auto& sides = made.open.loops.front().edges;
+        for (std::size_t i = 0; i < sides.size(); ++i) {
+            const EdgeOnFace on(sides[i].edge, made.face());
+            const Ribbon& ribbon = made.open.hole.loops.front().ribbons[i];
+            const double s = 0.4;
+            const gp_Pnt2d uv = on.pcurve->Value(ribbon.first + (ribbon.last - ribbon.first) * s);
+            gp_Pnt point;
+            gp_Vec u, v;
+            on.surface->D1(uv.X(), uv.Y(), point, u, v);
+            const Eigen::Vector3d normal = sign * from_occ(u.Crossed(v)).normalized();
+            const RibbonPoint p = ribbon.at(s);
+            // Of two planes at a right angle the new one's normal points away from the old face.
+            const Eigen::Vector3d outward = tangent ? p.normal : Eigen::Vector3d(-p.inward);
+            if (tangent) {
+                EXPECT_GT(normal.dot(outward), 1.0 - 1e-9);
+            } else {
+                EXPECT_GT(std::abs(normal.dot(outward)), 1.0 - 1e-9);
+            }
+        }
+        EXPECT_TRUE(BRepCheck_Analyzer(made.face()).IsValid());
+    });
+}
+
+/// Moves the surface of a plane patch along its normal.
+void shift(FillResult& fill, double distance) {
+    auto& plane = std::get<Plane>(fill.patches.front().surface);
+    plane.frame.origin += distance * plane.frame.z;
+}
+
+TEST(MakeFaces, GrowsTolerancesAsFarAsTheGapAndNoOthers) {
+    constexpr double kGap = 1e-3;
+    const TopoDS_Shape box = test::box_without({0});
+    const auto before = test::tolerances_of(box);
+    OpenHole open = test::holes_of(box).front();
+    shift(open.fill, kGap);
+    const auto made = make_faces(open.loops, open.hole, open.fill);
+    ASSERT_TRUE(made);
+    EXPECT_NEAR(made->max_gap, kGap, 1e-12);
+    int grown = 0;
+    for (const TopoDS_Edge& edge : occ::edges_of(box)) {
+        const auto& sides = open.loops.front().edges;
+        const bool side = std::any_of(sides.begin(), sides.end(),
+                                      [&](const auto& s) { return s.edge.IsSame(edge); });
+        const double tolerance = BRep_Tool::Tolerance(edge);
+        EXPECT_NEAR(tolerance, side ? 1.01 * kGap : before.front(), 1e-12);
+        grown += side ? 1 : 0;
+    }
+    EXPECT_EQ(grown, 4);
+}
+
+TEST(MakeFaces, CoversTheGapBetweenItsOwnSamples) {
+    OpenHole open = test::holes_of(test::box_without({0})).front();
+    Patch& patch = open.fill.patches.front();
+    const Frame frame = std::get<Plane>(patch.surface).frame;
+    // A rippled sheet over the plane's own parameters: one peak per span.
+    constexpr int kSpans = 37;
+    constexpr double kReach = 8.0;
+    SplineSurface ripples;
+    ripples.degree_u = ripples.degree_v = 2;
+    for (int i = -2; i <= kSpans + 2; ++i) {
+        ripples.knots_u.push_back(kReach * (2.0 * std::clamp(i, 0, kSpans) / kSpans - 1.0));
+    }
+    ripples.knots_v = ripples.knots_u;
+    const int count = kSpans + 2;
+    ripples.poles.resize(3, static_cast<Eigen::Index>(count) * count);
+    for (int j = 0; j < count; ++j) {
+        for (int i = 0; i < count; ++i) {
+            const auto greville = [&](int k) {
+                const auto first = static_cast<std::size_t>(k) + 1;
+                return 0.5 * (ripples.knots_u[first] + ripples.knots_u[first + 1]);
+            };
+            const double height = 1e-3 * std::sin(2.1 * i + 0.3 * j * j);
+            ripples.poles.col(static_cast<Eigen::Index>(j) * count + i) =
+                frame.origin + greville(i) * frame.x + greville(j) * frame.y + height * frame.z;
+        }
+    }
+    patch.surface = ripples;
+    const auto made = make_faces(open.loops, open.hole, open.fill);
+    ASSERT_TRUE(made) << made.error().message;
+    EXPECT_GT(made->max_gap, 1e-4);
+    for (const BoundaryEdge& side : open.loops.front().edges) {
+        const double largest = EdgeOnFace(side.edge, made->faces.front()).largest_distance(20000);
+        EXPECT_LE(largest, made->max_gap * (1.0 + 1e-6));
+        EXPECT_LE(largest, BRep_Tool::Tolerance(side.edge));
+        EXPECT_GE(1.02 * largest, BRep_Tool::Tolerance(side.edge));
+    }
+}
+
+TEST(MakeFaces, RefusesASurfaceBeyondOcctsHighestDegree) {
+    OpenHole open = test::holes_of(test::box_without({0})).front();
+    SplineSurface steep;
+    steep.degree_u = 26;
+    steep.degree_v = 1;
+    steep.knots_u.assign(27, 0.0);
+    steep.knots_u.insert(steep.knots_u.end(), 27, 1.0);
+    steep.knots_v = {0.0, 0.0, 1.0, 1.0};
+    steep.poles = Eigen::Matrix3Xd::Zero(3, 54);
+    open.fill.patches.front().surface = steep;
+    EXPECT_FALSE(make_faces(open.loops, open.hole, open.fill));
+}
+
+}  // namespace
+}  // namespace suture
