@@ -28,14 +28,19 @@ constexpr int kSamplesLeast = 33;
 constexpr int kSamplesPerPiece = 4;
 constexpr int kSamplesMost = 513;
 
+// A fitted surface errs most, and in the narrowest waves, next to its corners: of an edge that is
+// no conic between elementary surfaces, each of the first and last steps is divided further.
+constexpr int kEndSteps = 3;
+constexpr int kEndDivisions = 4;
+
 // Where between two steps of the even division an inner sample lies: off the middle, so that it
 // does not fall on knots, which tend to lie at round parameters.
 constexpr double kOffset = 0.38;
 
-// Local maxima that reach this part of the largest sample are refined, at most so many, until the
-// value settles to kSettled, in at most kRefineSteps steps of the golden section.
-constexpr double kWorthRefining = 0.5;
-constexpr int kRefineMost = 5;
+// Local maxima that seem to reach this part of the largest one are refined, at most so many, until
+// the value settles to kSettled, in at most kRefineSteps steps of the golden section.
+constexpr double kWorthRefining = 0.8;
+constexpr int kRefineMost = 12;
 constexpr double kSettled = 1e-3;
 constexpr int kRefineSteps = 24;
 
@@ -99,7 +104,7 @@ class EdgeMeter {
     EdgeContinuity run();
 
   private:
-    [[nodiscard]] int sample_count() const;
+    [[nodiscard]] std::vector<double> parameters() const;
     Sample measure(double t);
     void measure_into(Sample& sample);
     void compare_curvatures(Sample& sample, double k1, double k2) const;
@@ -118,16 +123,39 @@ class EdgeMeter {
     int tried_ = 0, without_normal_ = 0, failed_ = 0;
 };
 
-int EdgeMeter::sample_count() const {
+/// Both ends, and points between them.
+std::vector<double> EdgeMeter::parameters() const {
     const bool conic = curve_.GetType() <= GeomAbs_Ellipse;
-    if (conic && sides_[0].is_elementary() && sides_[1].is_elementary()) {
-        const bool straight =
-            curve_.GetType() == GeomAbs_Line && sides_[0].is_plane() && sides_[1].is_plane();
-        return straight ? kSamplesStraight : kSamplesElementary;
-    }
+    const bool elementary = conic && sides_[0].is_elementary() && sides_[1].is_elementary();
+    const bool straight = elementary && curve_.GetType() == GeomAbs_Line && sides_[0].is_plane() &&
+                          sides_[1].is_plane();
     const int pieces =
         std::max({curve_.NbIntervals(GeomAbs_CN), sides_[0].pieces(), sides_[1].pieces()});
-    return std::clamp(kSamplesPerPiece * pieces + 1, kSamplesLeast, kSamplesMost);
+    const int count = straight ? kSamplesStraight
+                      : elementary
+                          ? kSamplesElementary
+                          : std::clamp(kSamplesPerPiece * pieces + 1, kSamplesLeast, kSamplesMost);
+    std::vector<double> fractions = {0.0};
+    for (int i = 1; i < count - 1; ++i) {
+        fractions.push_back((i - kOffset) / (count - 2));
+    }
+    fractions.push_back(1.0);
+    if (!elementary) {
+        for (const int first : {0, count - 1 - kEndSteps}) {
+            for (int i = first; i < first + kEndSteps; ++i) {
+                const double low = fractions[static_cast<std::size_t>(i)];
+                const double step = fractions[static_cast<std::size_t>(i) + 1] - low;
+                for (int k = 1; k < kEndDivisions; ++k) {
+                    fractions.push_back(low + step * k / kEndDivisions);
+                }
+            }
+        }
+        std::ranges::sort(fractions);
+    }
+    for (double& s : fractions) {
+        s = range_.first + s * (range_.last - range_.first);
+    }
+    return fractions;
 }
 
 void EdgeMeter::compare_curvatures(Sample& sample, double k1, double k2) const {
@@ -229,6 +257,18 @@ void EdgeMeter::golden(double low, double high, double Sample::*value, double be
     }
 }
 
+/// Of the parabola through an inner sample that is a peak and its neighbours.
+double top_of_parabola(const std::vector<Sample>& samples, std::size_t i, double Sample::*value) {
+    const Sample& m = samples[i];
+    const double before = samples[i - 1].t - m.t;
+    const double after = samples[i + 1].t - m.t;
+    const double slope_before = (samples[i - 1].*value - m.*value) / before;
+    const double slope_after = (samples[i + 1].*value - m.*value) / after;
+    const double bend = (slope_after - slope_before) / (after - before);
+    const double slope = slope_before - bend * before;
+    return bend < 0.0 ? m.*value - slope * slope / (4.0 * bend) : m.*value;
+}
+
 void EdgeMeter::refine(const std::vector<Sample>& samples, double Sample::*value, double noise) {
     const auto at = [&](std::size_t i) { return samples[i].*value; };
     const std::size_t last = samples.size() - 1;
@@ -242,10 +282,13 @@ void EdgeMeter::refine(const std::vector<Sample>& samples, double Sample::*value
             peaks.push_back(i);
         }
     }
-    std::ranges::stable_sort(peaks, std::greater(), at);
+    const auto height = [&](std::size_t i) {
+        return i == 0 || i == last ? at(i) : top_of_parabola(samples, i, value);
+    };
+    std::ranges::stable_sort(peaks, std::greater(), height);
     for (std::size_t k = 0; k < std::min<std::size_t>(peaks.size(), kRefineMost); ++k) {
         const std::size_t i = peaks[k];
-        if (at(i) >= kWorthRefining * at(peaks.front())) {
+        if (height(i) >= kWorthRefining * height(peaks.front())) {
             golden(samples[i > 0 ? i - 1 : i].t, samples[std::min(i + 1, last)].t, value, at(i));
         }
     }
@@ -290,14 +333,10 @@ void EdgeMeter::set_note() {
 
 EdgeContinuity EdgeMeter::run() {
     result_.length = length_;
-    const int count = sample_count();
     std::vector<Sample> samples;
-    samples.push_back(measure(range_.first));
-    for (int i = 1; i < count - 1; ++i) {
-        const double s = (i - kOffset) / (count - 2);
-        samples.push_back(measure(range_.first + s * (range_.last - range_.first)));
+    for (const double t : parameters()) {
+        samples.push_back(measure(t));
     }
-    samples.push_back(measure(range_.last));
     set_mean_angle(samples);
     refine(samples, &Sample::gap, kNoiseGap * length_);
     refine(samples, &Sample::edge_gap, kNoiseGap * length_);
