@@ -8,13 +8,16 @@
 
 namespace suture {
 
-/// Where the hole's sides run in the domain of a surface that passes near them: the parameters of
-/// the surface's points nearest to the ribbons' points.
+/// Where the sides of a loop run in the domain of a surface that passes near them: the parameters
+/// of the surface's points nearest to the ribbons' points.
 ///
-/// Promises each curve is continuous: found by walking along the loop, from the nearest of a grid
-///          of points.
-[[nodiscard]] std::vector<std::vector<TrimCurve>> invert_boundary(
-    const std::shared_ptr<const SplineSurface>& surface, const Hole& hole);
+/// Input     guesses: one curve for each ribbon, roughly there.
+/// Result    the guesses themselves where the nearest points make no simple closed curve: so it is
+///           with a surface that folds.
+/// Promises  each curve is continuous.
+[[nodiscard]] std::vector<TrimCurve> invert_boundary(
+    const std::shared_ptr<const SplineSurface>& surface, const RibbonLoop& loop,
+    const std::vector<TrimCurve>& guesses);
 
 /// Area that a loop of trimming curves encloses in the domain; positive when walked with the
 /// inside on the left.

@@ -5,16 +5,19 @@
 #include "suture/occ/isolate.h"
 #include "suture/occt_filling/invert.h"
 
-#include <Eigen/Geometry>
-
 #include <BRepOffsetAPI_MakeFilling.hxx>
+#include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
+#include <BinTools.hxx>
+#include <Geom2d_Curve.hxx>
 #include <GeomConvert.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
+#include <TopoDS_Compound.hxx>
+#include <TopoDS_Iterator.hxx>
 
-#include <cstring>
 #include <memory>
+#include <sstream>
 
 namespace suture {
 namespace {
@@ -50,8 +53,9 @@ GeomAbs_Shape constraint(Continuity continuity) {
     return continuity == Continuity::G0 ? GeomAbs_C0 : GeomAbs_G1;
 }
 
-Result<TopoDS_Face> run_filling(const BoundaryLoop& loop, const RibbonLoop& ribbons,
-                                const PlateArguments& a) {
+/// OCCT's face, and after it the loop's edges as OCCT copied them, with their curves on the face.
+Result<TopoDS_Compound> run_filling(const BoundaryLoop& loop, const RibbonLoop& ribbons,
+                                    const PlateArguments& a) {
     BRepOffsetAPI_MakeFilling filling(a.energy_degree, a.points_on_curve, a.iterations,
                                       a.anisotropic, a.tolerance_2d, a.tolerance_3d,
                                       a.tolerance_angular, a.tolerance_curvature, a.highest_degree,
@@ -68,49 +72,61 @@ Result<TopoDS_Face> run_filling(const BoundaryLoop& loop, const RibbonLoop& ribb
     if (!it.More()) {
         return fail(ErrorCode::Refused, "OCCT's filling made no face");
     }
-    return TopoDS::Face(it.Current());
+    const BRep_Builder builder;
+    TopoDS_Compound made;
+    builder.MakeCompound(made);
+    builder.Add(made, it.Current());
+    for (std::size_t i = 0; i < loop.edges.size(); ++i) {
+        const auto& copies = filling.Generated(loop.edges[i].edge.Oriented(TopAbs_FORWARD));
+        if (copies.IsEmpty()) {
+            return fail(ErrorCode::Refused, "OCCT's filling lost {}", name_of(ribbons.ribbons[i]));
+        }
+        builder.Add(made, copies.First());
+    }
+    return made;
 }
 
-// The child's answer: degrees, counts, knots, poles and weights as raw numbers of this machine.
-
-void append(std::string& bytes, const void* data, std::size_t size) {
-    bytes.append(static_cast<const char*>(data), size);
+std::string packed(const TopoDS_Shape& shape) {
+    std::ostringstream bytes;
+    BinTools::Write(shape, bytes);
+    return bytes.str();
 }
 
-std::string packed(const SplineSurface& spline) {
-    const std::int64_t head[] = {spline.degree_u, spline.degree_v, spline.count_u(),
-                                 spline.count_v(), spline.weights.size()};
-    std::string bytes;
-    append(bytes, head, sizeof(head));
-    append(bytes, spline.knots_u.data(), spline.knots_u.size() * sizeof(double));
-    append(bytes, spline.knots_v.data(), spline.knots_v.size() * sizeof(double));
-    const auto count = [](Eigen::Index n) { return static_cast<std::size_t>(n) * sizeof(double); };
-    append(bytes, spline.poles.data(), count(spline.poles.size()));
-    append(bytes, spline.weights.data(), count(spline.weights.size()));
-    return bytes;
+TopoDS_Shape unpacked(const std::string& bytes) {
+    std::istringstream stream(bytes);
+    TopoDS_Shape shape;
+    BinTools::Read(shape, stream);
+    return shape;
 }
 
-SplineSurface unpacked(const std::string& bytes) {
-    const char* next = bytes.data();
-    const auto take = [&](void* target, std::size_t size) {
-        SUTURE_EXPECTS(next + size <= bytes.data() + bytes.size());
-        std::memcpy(target, next, size);
-        next += size;
-    };
-    std::int64_t head[5];
-    take(head, sizeof(head));
-    SplineSurface spline;
-    spline.degree_u = static_cast<int>(head[0]);
-    spline.degree_v = static_cast<int>(head[1]);
-    spline.knots_u.resize(static_cast<std::size_t>(head[0] + head[2] + 1));
-    spline.knots_v.resize(static_cast<std::size_t>(head[1] + head[3] + 1));
-    spline.poles.resize(3, head[2] * head[3]);
-    spline.weights.resize(head[4]);
-    take(spline.knots_u.data(), spline.knots_u.size() * sizeof(double));
-    take(spline.knots_v.data(), spline.knots_v.size() * sizeof(double));
-    take(spline.poles.data(), static_cast<std::size_t>(spline.poles.size()) * sizeof(double));
-    take(spline.weights.data(), static_cast<std::size_t>(spline.weights.size()) * sizeof(double));
-    return spline;
+/// OCCT's surface, trimmed where its own curves run or, better, where it is nearest to the sides.
+Result<Patch> patch_of(const TopoDS_Shape& made, const RibbonLoop& loop) {
+    TopoDS_Iterator next(made);
+    const TopoDS_Face face = TopoDS::Face(next.Value());
+    const auto converted = GeomConvert::SurfaceToBSplineSurface(BRep_Tool::Surface(face));
+    const auto closed = occ::from_occ(occ::Handle<Geom_Surface>(converted));
+    const auto surface =
+        std::make_shared<const SplineSurface>(std::get<SplineSurface>(closed.value().surface));
+    std::vector<TrimCurve> guesses;
+    for (const Ribbon& ribbon : loop.ribbons) {
+        next.Next();
+        double first = 0.0;
+        double last = 0.0;
+        const occ::Handle<Geom2d_Curve> curve =
+            BRep_Tool::CurveOnSurface(TopoDS::Edge(next.Value()), face, first, last);
+        if (curve.IsNull()) {
+            return fail(ErrorCode::Refused, "OCCT's filling has no curve for {}", name_of(ribbon));
+        }
+        guesses.emplace_back([curve, start = ribbon.first, end = ribbon.last](double s) {
+            return occ::from_occ(curve->Value(start + (end - start) * s));
+        });
+    }
+    Patch patch;
+    patch.surface = *surface;
+    patch.exact = false;
+    patch.trims.push_back(invert_boundary(surface, loop, guesses));
+    patch.reversed = signed_area(patch.trims.front()) < 0.0;
+    return patch;
 }
 
 }  // namespace
@@ -127,26 +143,20 @@ Result<FillResult> fill_with_plate(const std::vector<BoundaryLoop>& loops, const
     const auto bytes = occ::run_isolated(
         "OCCT's filling",
         [&]() -> Result<std::string> {
-            auto face = run_filling(loops.front(), hole.loops.front(), arguments_of(setting));
-            if (!face) {
-                return tl::unexpected(face.error());
-            }
-            const auto surface = GeomConvert::SurfaceToBSplineSurface(BRep_Tool::Surface(*face));
-            const auto closed = occ::from_occ(occ::Handle<Geom_Surface>(surface));
-            return packed(std::get<SplineSurface>(closed.value().surface));
+            const auto made = run_filling(loops.front(), hole.loops.front(), arguments_of(setting));
+            return made ? Result<std::string>(packed(*made)) : tl::unexpected(made.error());
         },
         limit, progress);
     if (!bytes) {
         return tl::unexpected(bytes.error());
     }
-    Patch patch;
-    const auto spline = std::make_shared<const SplineSurface>(unpacked(*bytes));
-    patch.surface = *spline;
-    patch.exact = false;
-    patch.trims = invert_boundary(spline, hole);
-    patch.reversed = signed_area(patch.trims.front()) < 0.0;
+    auto patch = occ::guarded("OCCT's filling",
+                              [&] { return patch_of(unpacked(*bytes), hole.loops.front()); });
+    if (!patch) {
+        return tl::unexpected(patch.error());
+    }
     FillResult result;
-    result.patches.push_back(std::move(patch));
+    result.patches.push_back(std::move(*patch));
     for (const Ribbon& ribbon : hole.loops.front().ribbons) {
         if (ribbon.continuity == Continuity::G2) {
             result.notes.emplace_back(
