@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <compare>
 #include <functional>
 
 namespace suture {
@@ -25,6 +26,24 @@ bool position_only(const Hole& hole) {
     });
 }
 
+/// The same hole with position alone wanted along every side.
+Hole without_tangency(Hole hole) {
+    for (RibbonLoop& loop : hole.loops) {
+        for (Ribbon& ribbon : loop.ribbons) {
+            ribbon.continuity = Continuity::G0;
+        }
+    }
+    return hole;
+}
+
+std::string plate_name(PlateSetting setting, bool relaxed) {
+    const bool tuned = setting == PlateSetting::Tuned;
+    return relaxed ? (tuned ? "occt (tuned, position only)" : "occt (position only)")
+                   : (tuned ? "occt (tuned)" : "occt");
+}
+
+/// For `occt` the first attempt is what was asked for, and the others are there for holes over
+/// which that surface folds.
 std::vector<Attempt> attempts_for(const std::vector<BoundaryLoop>& loops, const Hole& hole,
                                   const FillRequest& request, const Tolerance& tolerance) {
     const bool automatic = request.method == "auto";
@@ -41,45 +60,85 @@ std::vector<Attempt> attempts_for(const std::vector<BoundaryLoop>& loops, const 
         std::stable_partition(attempts.begin(), attempts.end(),
                               [](const Attempt& attempt) { return attempt.name == "plane"; });
     }
-    const auto plate = [&](PlateSetting setting) {
-        const std::string name = setting == PlateSetting::Tuned ? "occt (tuned)" : "occt";
-        attempts.push_back({name, [&, setting] {
-                                return fill_with_plate(loops, hole, setting, request.plate_limit,
-                                                       request.progress);
+    const auto plate = [&](PlateSetting setting, bool relaxed = false) {
+        attempts.push_back({plate_name(setting, relaxed), [&, setting, relaxed] {
+                                return fill_with_plate(
+                                    loops, relaxed ? without_tangency(hole) : hole, setting,
+                                    request.plate_limit, request.progress);
                             }});
     };
     if (automatic) {
         plate(PlateSetting::Default);
         plate(PlateSetting::Tuned);
     } else if (request.method == "occt") {
-        plate(request.plate_setting);
+        for (const PlateSetting setting : {request.plate_setting, PlateSetting::Default}) {
+            plate(setting);
+            if (!position_only(hole)) {
+                plate(setting, /*relaxed=*/true);
+            }
+            if (setting == PlateSetting::Default) {
+                break;
+            }
+        }
     }
     return attempts;
 }
 
-/// Beyond these `auto` takes no candidate, however much worse the others are: a surface that is off
-/// by a fiftieth of the hole, or folded back at its border, closes nothing.
+/// A surface that is off by a fiftieth of the hole, or folded back at its border, closes nothing:
+/// `auto` never takes it, `occt` only if OCCT has nothing better.
 constexpr double kHopelessGap = 0.02;
 constexpr double kHopelessAngle = radians(90.0);
 
-bool hopeless(const TrialMeasure& measured, const Hole& hole) {
+/// Beyond this nothing is taken: edges with such a tolerance would swallow the faces around them.
+constexpr double kWildGap = 0.1;
+
+/// How a candidate stands among the others: the less the better.
+struct Rank {
+    bool wild = false;
+    bool folded = false;
+    bool off = false;
+    double score =
+        0.0;  ///< as measured; of a folded one the gap alone, for its angle means nothing
+
+    [[nodiscard]] bool hopeless() const { return wild || off || folded; }
+    auto operator<=>(const Rank&) const = default;
+};
+
+Rank rank_of(const TrialMeasure& measured, const Hole& hole, const Tolerance& tolerance) {
+    Rank rank;
+    double gap = 0.0;
     std::size_t next = 0;
     for (const RibbonLoop& loop : hole.loops) {
         for (const Ribbon& ribbon : loop.ribbons) {
             const SideMeasure& side = measured.sides[next++];
-            if (side.gap > kHopelessGap * hole.diameter ||
-                (ribbon.continuity >= Continuity::G1 && side.angle > kHopelessAngle)) {
-                return true;
-            }
+            gap = std::max(gap, side.gap);
+            rank.folded =
+                rank.folded || (ribbon.continuity >= Continuity::G1 && side.angle > kHopelessAngle);
         }
     }
-    return false;
+    rank.wild = gap > kWildGap * hole.diameter;
+    rank.off = gap > kHopelessGap * hole.diameter;
+    rank.score = rank.folded ? gap / tolerance.linear : measured.score;
+    return rank;
 }
 
 /// One sentence on a candidate: "occt: 1.5 times the tolerance".
-std::string verdict(const std::string& name, double score) {
-    return score <= 1.0 ? fmt::format("{}: within tolerance", name)
-                        : fmt::format("{}: {:.3g} times the tolerance", name, score);
+std::string verdict(const std::string& name, const TrialMeasure& measured, const Rank& rank) {
+    if (measured.score <= 1.0) {
+        return fmt::format("{}: within tolerance", name);
+    }
+    const auto text = fmt::format("{}: {:.3g} times the tolerance", name, measured.score);
+    if (!rank.hopeless()) {
+        return text;
+    }
+    double gap = 0.0;
+    double angle = 0.0;
+    for (const SideMeasure& side : measured.sides) {
+        gap = std::max(gap, side.gap);
+        angle = std::max(angle, side.angle);
+    }
+    return fmt::format("{}, {} (gap {:.3g}, angle {:.3g} deg)", text,
+                       rank.folded ? "folded back" : "far off", gap, degrees(angle));
 }
 
 }  // namespace
@@ -103,6 +162,7 @@ Result<Choice> choose_fill(const std::vector<BoundaryLoop>& loops, const Hole& h
                            const FillRequest& request, const Tolerance& tolerance) {
     const bool automatic = request.method == "auto";
     std::optional<Choice> best;
+    Rank best_rank;
     std::vector<std::string> verdicts;
     double seconds = 0.0;
     for (const Attempt& attempt : attempts_for(loops, hole, request, tolerance)) {
@@ -121,15 +181,17 @@ Result<Choice> choose_fill(const std::vector<BoundaryLoop>& loops, const Hole& h
             verdicts.push_back(attempt.name + ": " + measured.error().message);
             continue;
         }
-        verdicts.push_back(verdict(attempt.name, measured->score));
-        if (automatic && hopeless(*measured, hole)) {
-            verdicts.back() += " (far off or folded back: not taken)";
+        const Rank rank = rank_of(*measured, hole, tolerance);
+        verdicts.push_back(verdict(attempt.name, *measured, rank));
+        if (rank.wild || (automatic && rank.hopeless())) {
+            verdicts.back() += ", not taken";
             continue;
         }
-        if (!best || measured->score < best->measured.score) {
+        if (!best || rank < best_rank) {
             best = Choice{attempt.name, std::move(*fill), std::move(*measured), {}, 0.0};
+            best_rank = rank;
         }
-        if (best->measured.score <= 1.0) {
+        if (best->measured.score <= 1.0 || (!automatic && !rank.hopeless())) {
             break;
         }
     }
@@ -137,7 +199,8 @@ Result<Choice> choose_fill(const std::vector<BoundaryLoop>& loops, const Hole& h
         return fail(ErrorCode::Refused, "{}", fmt::join(verdicts, "; "));
     }
     best->seconds = seconds;
-    best->reason = automatic ? fmt::format("{}", fmt::join(verdicts, "; ")) : "as asked";
+    const bool as_asked = !automatic && verdicts.size() == 1;
+    best->reason = as_asked ? "as asked" : fmt::format("{}", fmt::join(verdicts, "; "));
     return *best;
 }
 
