@@ -132,6 +132,11 @@ Result<std::vector<TopoDS_Face>> fill_one(const std::vector<BoundaryLoop>& loops
     report.method_used = choice->method;
     report.reason = choice->reason;
     report.notes.insert(report.notes.end(), choice->fill.notes.begin(), choice->fill.notes.end());
+    if (made->grown_edges > 0) {
+        report.notes.push_back(
+            fmt::format("the tolerance of {} edges had to grow, at most to {:.3g}",
+                        made->grown_edges, made->grown_tolerance));
+    }
     for (const Patch& patch : choice->fill.patches) {
         report.patches.push_back(facts_of(patch));
     }

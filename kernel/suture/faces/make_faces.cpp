@@ -82,9 +82,9 @@ double largest_along(double first, double last, const std::function<double(doubl
     return largest;
 }
 
-/// Gives the edge its curve on the new surface; planes need none. Returns the largest distance.
-double put_on_surface(const TopoDS_Edge& edge, const Handle<Geom_Surface>& surface,
-                      const Ribbon& ribbon, const TrimCurve& trim, double accuracy) {
+/// Gives the edge its curve on the new surface; planes need none.
+void put_on_surface(const TopoDS_Edge& edge, const Handle<Geom_Surface>& surface,
+                    const Ribbon& ribbon, const TrimCurve& trim, double accuracy, NewFaces& made) {
     double first = 0.0;
     double last = 0.0;
     const Handle<Geom_Curve> curve = BRep_Tool::Curve(edge, first, last);
@@ -111,8 +111,10 @@ double put_on_surface(const TopoDS_Edge& edge, const Handle<Geom_Surface>& surfa
         for (const TopoDS_Vertex& vertex : {TopExp::FirstVertex(edge), TopExp::LastVertex(edge)}) {
             builder.UpdateVertex(vertex, needed);
         }
+        ++made.grown_edges;
+        made.grown_tolerance = std::max(made.grown_tolerance, needed);
     }
-    return distance;
+    made.max_gap = std::max(made.max_gap, distance);
 }
 
 TopoDS_Wire wire_of(std::vector<TopoDS_Edge> edges, bool reversed) {
@@ -225,10 +227,8 @@ Result<NewFaces> make(const std::vector<BoundaryLoop>& loops, const Hole& hole,
         const double accuracy = kPcurveAccuracy * hole.diameter;
         for (std::size_t l = 0; l < loops.size(); ++l) {
             for (std::size_t i = 0; i < loops[l].edges.size(); ++i) {
-                made.max_gap =
-                    std::max(made.max_gap,
-                             put_on_surface(loops[l].edges[i].edge, *surface,
-                                            hole.loops[l].ribbons[i], patch.trims[l][i], accuracy));
+                put_on_surface(loops[l].edges[i].edge, *surface, hole.loops[l].ribbons[i],
+                               patch.trims[l][i], accuracy, made);
             }
         }
         for (const TopoDS_Wire& wire : Outline(loops, patch, *surface, accuracy).wires()) {

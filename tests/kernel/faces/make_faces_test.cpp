@@ -89,6 +89,7 @@ TEST(MakeFaces, LeavesEveryToleranceAsItWas) {
             const auto made = make_faces(open.loops, open.hole, open.fill);
             ASSERT_TRUE(made) << made.error().message;
             EXPECT_LT(made->max_gap, 1e-8 * open.hole.diameter);
+            EXPECT_EQ(made->grown_edges, 0);
         }
         EXPECT_EQ(test::tolerances_of(shape), before);
     }
@@ -158,6 +159,8 @@ TEST(MakeFaces, GrowsTolerancesAsFarAsTheGapAndNoOthers) {
         grown += side ? 1 : 0;
     }
     EXPECT_EQ(grown, 4);
+    EXPECT_EQ(made->grown_edges, 4);
+    EXPECT_NEAR(made->grown_tolerance, 1.01 * kGap, 1e-12);
 }
 
 TEST(MakeFaces, CoversTheGapBetweenItsOwnSamples) {
