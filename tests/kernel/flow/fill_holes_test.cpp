@@ -354,5 +354,35 @@ TEST(FillHoles, GivesOcctsFillingAsItIs) {
     }
 }
 
+/// `occt` on a window that takes this much of the tube's turn.
+HoleReport fill_window_by_occt(double turn, FillOutcome& outcome) {
+    const Handle<Geom_Surface> tube = occ::make<Geom_ToroidalSurface>(gp_Ax3(), 5.0, 1.5);
+    const TopoDS_Shape open = grids::shell_of(tube, {0.0, 0.9, 2.0, 3.5, 5.0, 2.0 * kPi},
+                                              {0.0, turn, 5.4, 2.0 * kPi}, {{1, 0}});
+    FillRequest request;
+    request.method = "occt";
+    outcome = fill(open, request).value();
+    return outcome.holes.front();
+}
+
+TEST(FillHoles, TriesOcctAgainWhereItsSurfaceFolds) {
+    FillOutcome outcome;
+    const HoleReport hole = fill_window_by_occt(3.5, outcome);
+    ASSERT_EQ(hole.status, FillStatus::Filled) << hole.reason;
+    expect_closed_solid(outcome);
+    EXPECT_FALSE(hole.within_tolerance);
+    EXPECT_NE(hole.reason.find("occt: "), std::string::npos) << hole.reason;
+    EXPECT_NE(hole.reason.find("occt (position only): "), std::string::npos) << hole.reason;
+}
+
+TEST(FillHoles, RefusesOcctsSurfaceFarOffWithItsGap) {
+    FillOutcome outcome;
+    const HoleReport hole = fill_window_by_occt(4.6, outcome);
+    EXPECT_EQ(hole.status, FillStatus::Refused);
+    EXPECT_NE(hole.reason.find("(gap "), std::string::npos) << hole.reason;
+    EXPECT_NE(hole.reason.find("not taken"), std::string::npos) << hole.reason;
+    EXPECT_NE(hole.reason.find("occt (position only): "), std::string::npos) << hole.reason;
+}
+
 }  // namespace
 }  // namespace suture
