@@ -2,24 +2,22 @@
 
 import math
 import sys
-from pathlib import Path
 
 sys.path.insert(0, "/usr/lib/freecad-python3/lib")
-sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "kernel/check"))
-
 import FreeCAD  # noqa: E402, F401  Part needs it loaded first
 import Part  # noqa: E402
-from freecad_agreement import Side, measure  # noqa: E402
 
 # A file has 15 digits: two readings of the same face agree to this much, relative to its size.
 SAME = 1e-6
 AREA = 1e-9  # relative: of a face that nobody has touched
 TOLERANCE = 1e-9  # mm: two readings of the same edge compute its tolerance anew
 
-SAMPLES = 100  # per edge, and one more
-PEAKS = 3  # that are looked at more closely
+SAMPLES = 400  # per edge, and one more
+PEAKS = 5  # that are looked at more closely
 NARROWINGS = 24  # by thirds, at most
 SETTLED, SMALL = 1e-3, 1e-7  # a peak is found when all in the interval about it agree so well
+FAR = 0.01  # of an edge's length: beyond, its curve on the surface may lead to another sheet
+STEPS, ARRIVED = 60, 1e-13  # of Newton's method for the nearest point, and the last move that counts
 
 
 def read(file):
@@ -119,6 +117,62 @@ def free_edges(shape):
     return [e for e, faces in uses_of_edges(shape) if len(faces) == 1 and not e.Degenerated]
 
 
+class Side:
+    """A face along one of its edges: nearest points of its surface and its outward normals there."""
+
+    def __init__(self, face, edge):
+        self.surface = face.Surface
+        self.sign = -1.0 if face.Orientation == "Reversed" else 1.0
+        self.curve = face.curveOnSurface(edge)[0]
+        self.far = FAR * edge.Length
+        self.bounds = self.surface.bounds()
+        self.periodic = self.surface.isUPeriodic(), self.surface.isVPeriodic()
+
+    def inside(self, u, v):
+        low_u, high_u, low_v, high_v = self.bounds
+        return (
+            u if self.periodic[0] else min(max(u, low_u), high_u),
+            v if self.periodic[1] else min(max(v, low_v), high_v),
+        )  # fmt: skip
+
+    def at(self, point, t):
+        u, v = self.nearest(point, t)
+        if self.surface.value(u, v).distanceToPoint(point) > self.far:
+            other = self.surface.projectPoint(point, "LowerDistanceParameters")
+            u, v = min((u, v), other, key=lambda p: self.surface.value(*p).distanceToPoint(point))
+        du, dv = self.surface.tangent(u, v)  # raises where a pole has none
+        return self.surface.value(u, v), du.cross(dv).normalize() * self.sign
+
+    def nearest(self, point, t):
+        """From where the edge runs on the surface: FreeCAD's own projections miss points at times."""
+        start = self.curve.value(t)
+        u, v = self.inside(start.x, start.y)
+        rest = point - self.surface.value(u, v)
+        for _ in range(STEPS):
+            du, dv = self.surface.getDN(u, v, 1, 0), self.surface.getDN(u, v, 0, 1)
+            a, b, c = du.dot(du), du.dot(dv), dv.dot(dv)
+            e, f = du.dot(rest), dv.dot(rest)
+            move_u, move_v = (c * e - b * f) / (a * c - b * b), (a * f - b * e) / (a * c - b * b)
+            for _ in range(STEPS):
+                next_u, next_v = self.inside(u + move_u, v + move_v)
+                next_rest = point - self.surface.value(next_u, next_v)
+                if next_rest.Length <= rest.Length * (1 + SAME):
+                    break
+                move_u, move_v = move_u / 2, move_v / 2
+            moved = abs(next_u - u) + abs(next_v - v)
+            u, v, rest = next_u, next_v, next_rest
+            if moved <= ARRIVED * (abs(u) + abs(v)):
+                break
+        return u, v
+
+
+def measure(edge, sides, t):
+    """Gap, and angle in degrees, at one parameter of the edge."""
+    point = edge.valueAt(t)
+    (p1, n1), (p2, n2) = (side.at(point, t) for side in sides)
+    return p1.distanceToPoint(p2), math.degrees(math.atan2(n1.cross(n2).Length, n1.dot(n2)))
+
+
 def peak(function, low, high, value):
     """The largest value in an interval, narrowed by thirds; `value` is that in its middle."""
     for _ in range(NARROWINGS):
@@ -134,7 +188,7 @@ def peak(function, low, high, value):
 
 def largest(edge, faces):
     """[largest gap in mm, largest angle in degrees] between two faces along their common edge."""
-    sides = [Side(face) for face in faces]
+    sides = [Side(face, edge) for face in faces]
 
     def measured(t):
         try:
