@@ -158,6 +158,10 @@ void FaceSide::count_pieces() {
         pieces_ += static_cast<int>(std::ranges::count_if(
             knots, [&](double knot) { return low.at(k) < knot && knot < high.at(k); }));
     }
+    if (surface_.GetType() == GeomAbs_BSplineSurface ||
+        surface_.GetType() == GeomAbs_BezierSurface) {
+        degree_ = std::max(surface_.UDegree(), surface_.VDegree());
+    }
 }
 
 FaceSide::Jet FaceSide::jet(const gp_Pnt2d& uv) const {

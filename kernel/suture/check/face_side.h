@@ -42,6 +42,8 @@ class FaceSide {
 
     /// Polynomial pieces of the surface that the edge passes: how finely to sample.
     [[nodiscard]] int pieces() const { return pieces_; }
+    /// The highest degree of these: how many waves a piece may have.
+    [[nodiscard]] int degree() const { return degree_; }
     /// The surface is a plane: everything along a straight edge is linear.
     [[nodiscard]] bool is_plane() const { return surface_.GetType() == GeomAbs_Plane; }
     /// The nearest point has a closed form: plane, cylinder, cone, sphere, torus.
@@ -97,6 +99,7 @@ class FaceSide {
     EdgeRange pcurve_range_;
     std::optional<gp_Pnt2d> last_;  ///< parameters of the last point: the start without a pcurve
     int pieces_ = 1;
+    int degree_ = 1;
 };
 
 }  // namespace suture

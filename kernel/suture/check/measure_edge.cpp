@@ -23,7 +23,8 @@ namespace {
 constexpr int kSamplesStraight = 3;
 // Conics on elementary surfaces have no more than a few maxima.
 constexpr int kSamplesElementary = 17;
-// Otherwise: four points for each polynomial piece that the edge or its surfaces have along it.
+// Otherwise: for each polynomial piece that the edge or its surfaces have along it four points, or
+// as many as its degree: OCCT's filling makes few pieces of degree 14, with waves in each.
 constexpr int kSamplesLeast = 33;
 constexpr int kSamplesPerPiece = 4;
 constexpr int kSamplesMost = 513;
@@ -131,10 +132,11 @@ std::vector<double> EdgeMeter::parameters() const {
                           sides_[1].is_plane();
     const int pieces =
         std::max({curve_.NbIntervals(GeomAbs_CN), sides_[0].pieces(), sides_[1].pieces()});
+    const int per_piece = std::max({kSamplesPerPiece, sides_[0].degree(), sides_[1].degree()});
     const int count = straight ? kSamplesStraight
                       : elementary
                           ? kSamplesElementary
-                          : std::clamp(kSamplesPerPiece * pieces + 1, kSamplesLeast, kSamplesMost);
+                          : std::clamp(per_piece * pieces + 1, kSamplesLeast, kSamplesMost);
     std::vector<double> fractions = {0.0};
     for (int i = 1; i < count - 1; ++i) {
         fractions.push_back((i - kOffset) / (count - 2));

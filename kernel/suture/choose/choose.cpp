@@ -127,7 +127,7 @@ std::string verdict(const std::string& name, const TrialMeasure& measured, const
     if (measured.score <= 1.0) {
         return fmt::format("{}: within tolerance", name);
     }
-    const auto text = fmt::format("{}: {:.3g} times the tolerance", name, measured.score);
+    std::string text = fmt::format("{}: {:.3g} times the tolerance", name, measured.score);
     if (!rank.hopeless()) {
         return text;
     }
