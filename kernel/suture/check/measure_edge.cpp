@@ -24,7 +24,8 @@ constexpr int kSamplesStraight = 3;
 // Conics on elementary surfaces have no more than a few maxima.
 constexpr int kSamplesElementary = 17;
 // Otherwise: for each polynomial piece that the edge or its surfaces have along it four points, or
-// as many as its degree: OCCT's filling makes few pieces of degree 14, with waves in each.
+// twice as many as an angle's waves can have turns, degree - 2: OCCT's filling makes few pieces of
+// degree 14 with waves in each.
 constexpr int kSamplesLeast = 33;
 constexpr int kSamplesPerPiece = 4;
 constexpr int kSamplesMost = 513;
@@ -132,7 +133,8 @@ std::vector<double> EdgeMeter::parameters() const {
                           sides_[1].is_plane();
     const int pieces =
         std::max({curve_.NbIntervals(GeomAbs_CN), sides_[0].pieces(), sides_[1].pieces()});
-    const int per_piece = std::max({kSamplesPerPiece, sides_[0].degree(), sides_[1].degree()});
+    const int degree = std::max(sides_[0].degree(), sides_[1].degree());
+    const int per_piece = std::max(kSamplesPerPiece, 2 * (degree - 2));
     const int count = straight ? kSamplesStraight
                       : elementary
                           ? kSamplesElementary
