@@ -41,7 +41,7 @@ constexpr double kOffset = 0.38;
 
 // Local maxima that seem to reach this part of the largest one are refined, at most so many, until
 // the value settles to kSettled, in at most kRefineSteps steps of the golden section.
-constexpr double kWorthRefining = 0.8;
+constexpr double kWorthRefining = 0.5;
 constexpr int kRefineMost = 12;
 constexpr double kSettled = 1e-3;
 constexpr int kRefineSteps = 24;
@@ -65,6 +65,7 @@ struct Sample {
     double speed = 0.0;
     // What could not be measured is below every value.
     double gap = -1.0, edge_gap = -1.0, angle = -1.0, mismatch = -1.0, mismatch_sum = -1.0;
+    double excess = 0.0;  ///< of the first face's curvature over the second's, both unsigned
     bool opposite = false;
     bool failed = false;
 };
@@ -112,6 +113,7 @@ class EdgeMeter {
     void compare_curvatures(Sample& sample, double k1, double k2) const;
     void record(const Sample& sample);
     void refine(const std::vector<Sample>& samples, double Sample::*value, double noise);
+    void refine_kinks(const std::vector<Sample>& samples);
     void golden(double low, double high, double Sample::*value, double best);
     void set_mean_angle(const std::vector<Sample>& samples);
     void set_note();
@@ -171,6 +173,7 @@ void EdgeMeter::compare_curvatures(Sample& sample, double k1, double k2) const {
     }
     sample.mismatch = std::abs(k1 - k2) / largest;
     sample.mismatch_sum = std::abs(k1 - k2) / (std::abs(k1) + std::abs(k2));
+    sample.excess = std::abs(k1) - std::abs(k2);
     sample.opposite = k1 * k2 < 0.0 && std::min(std::abs(k1), std::abs(k2)) > flat;
 }
 
@@ -298,6 +301,18 @@ void EdgeMeter::refine(const std::vector<Sample>& samples, double Sample::*value
     }
 }
 
+/// Of two faces that bend opposite ways the mismatch has a kink, and its peak, where they bend
+/// alike: it may be too narrow to raise a sample.
+void EdgeMeter::refine_kinks(const std::vector<Sample>& samples) {
+    for (std::size_t i = 1; i < samples.size(); ++i) {
+        const Sample& a = samples[i - 1];
+        const Sample& b = samples[i];
+        if (a.excess * b.excess < 0.0 && (a.opposite || b.opposite)) {
+            golden(a.t, b.t, &Sample::mismatch, std::max(a.mismatch, b.mismatch));
+        }
+    }
+}
+
 void EdgeMeter::set_mean_angle(const std::vector<Sample>& samples) {
     double sum = 0.0;
     double weight = 0.0;
@@ -346,6 +361,7 @@ EdgeContinuity EdgeMeter::run() {
     refine(samples, &Sample::edge_gap, kNoiseGap * length_);
     refine(samples, &Sample::angle, kNoiseAngle);
     refine(samples, &Sample::mismatch, kNoiseMismatch);
+    refine_kinks(samples);
     set_note();
     return result_;
 }
