@@ -11,7 +11,7 @@ constexpr double kLeastRegularity = 1e-3;
 // A surface this far from a neighbour's tangent plane has turned over there.
 constexpr double kMostAngle = 0.5 * kPi;
 
-Patch patch_of(const mvs::Fairing& fairing, const mvs::Layout& layout) {
+Patch patch_of(const mvs::Fairing& fairing) {
     const mvs::Net& net = fairing.net;
     const double length = fairing.scale.length;
     SplineSurface surface;
@@ -28,20 +28,36 @@ Patch patch_of(const mvs::Fairing& fairing, const mvs::Layout& layout) {
     surface.poles = (net.poles * length).colwise() + fairing.scale.centre;
     Patch patch;
     patch.surface = std::move(surface);
-    patch.trims.emplace_back();
-    for (const mvs::DomainCurve& curve : layout.curves) {
-        patch.trims.front().push_back([curve](double s) { return curve.at(s); });
+    for (const mvs::DomainLoop& loop : fairing.domain.loops) {
+        std::vector<TrimCurve>& trims = patch.trims.emplace_back();
+        for (const mvs::DomainCurve& curve : loop.curves) {
+            trims.push_back([curve](double s) { return curve.at(s); });
+        }
     }
     return patch;
+}
+
+// Corners at which no surface can be tangent to both neighbours.
+void note_corners(const Hole& hole, const Tolerance& tolerance, std::vector<std::string>& notes) {
+    for (const RibbonLoop& loop : hole.loops) {
+        const std::vector<mvs::Corner> corners = mvs::corners_of(loop);
+        for (std::size_t i = 0; i < corners.size(); ++i) {
+            if (corners[i].mismatch > tolerance.angular) {
+                const std::size_t before = (i + corners.size() - 1) % corners.size();
+                notes.push_back(fmt::format(
+                    "where {} meets {}, at ({:.6g}, {:.6g}, {:.6g}), the neighbours' normals "
+                    "differ "
+                    "by {:.3g} deg: no face is tangent to both there",
+                    name_of(loop.ribbons[before]), name_of(loop.ribbons[i]), corners[i].point.x(),
+                    corners[i].point.y(), corners[i].point.z(), degrees(corners[i].mismatch)));
+            }
+        }
+    }
 }
 
 }  // namespace
 
 Result<FillResult> fill_mvs(const Hole& hole, const FillOptions& options) {
-    if (hole.loops.size() != 1) {
-        return fail(ErrorCode::Refused, "{} loops: mvs fills holes without islands",
-                    hole.loops.size());
-    }
     const RibbonLoop& loop = hole.loops.front();
     const Result<mvs::Layout> layout = mvs::lay_out(loop, hole.diameter);
     if (!layout) {
@@ -53,7 +69,7 @@ Result<FillResult> fill_mvs(const Hole& hole, const FillOptions& options) {
                     "{:.1f} deg on its neighbours)",
                     name_of(loop.ribbons.front()), degrees(layout->turning));
     }
-    const Result<mvs::Fairing> fairing = mvs::fair(loop, *layout, options);
+    const Result<mvs::Fairing> fairing = mvs::fair(hole, *layout, options);
     if (!fairing) {
         return tl::unexpected(fairing.error());
     }
@@ -68,12 +84,20 @@ Result<FillResult> fill_mvs(const Hole& hole, const FillOptions& options) {
                     degrees(fairing->worst.angle), degrees(kMostAngle));
     }
     FillResult result;
-    result.patches.push_back(patch_of(*fairing, *layout));
+    result.patches.push_back(patch_of(*fairing));
     result.notes.push_back(
         fmt::format("{} x {} poles after {} steps; at ribbon samples between the fitted ones: gap "
                     "{:.2g}, angle {:.2g} deg",
                     fairing->net.u.count(), fairing->net.v.count(), fairing->steps,
                     fairing->worst.gap * fairing->scale.length, degrees(fairing->worst.angle)));
+    if (layout->kind != mvs::LayoutKind::Development) {
+        result.notes.push_back(fmt::format(
+            "the boundary turns by {:.1f} deg on its neighbours and crosses itself when unrolled: "
+            "laid out as a {} instead",
+            degrees(layout->turning),
+            layout->kind == mvs::LayoutKind::Polygon ? "polygon" : "circle"));
+    }
+    note_corners(hole, options.tolerance, result.notes);
     return result;
 }
 

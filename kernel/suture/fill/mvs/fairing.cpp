@@ -19,9 +19,14 @@ constexpr double kPoorAngle = radians(1.0);
 constexpr int kLeastSpans = 4;
 // Room around the layout: trimming curves on the border of the box would not survive rounding.
 constexpr double kMargin = 0.05;
+// Spans are not halved below this part of the box: readers of the file project curves onto the
+// surface, and lose their way among spans that are much longer than wide.
+constexpr double kLeastSpan = 1.0 / 120.0;
 // Poles in one direction at most.
 constexpr int kMostPoles = 38;
-constexpr int kLevels = 6;
+constexpr int kLevels = 10;
+// Times that islands and inner points are laid out again before the exact functional counts.
+constexpr int kRelayed = 2;
 // Samples a span, and on a side at least; as many again, and more, to measure between them.
 constexpr double kSamplesPerSpan = 5.0;
 constexpr int kLeastSamples = 8;
@@ -37,8 +42,12 @@ constexpr double kAnglePart = 0.1;
 constexpr double kCurvaturePart = 0.25;
 // A level that brings the worst sample less than this factor nearer was the last one.
 constexpr double kProgress = 0.9;
+constexpr int kPatience = 3;
 // Spans are halved where a sample misses its goal, and by this part of the worst miss.
-constexpr double kMarked = 0.05;
+constexpr double kMarked = 0.3;
+// While the surface is this far off it is no small correction of the final one: all spans that miss
+// are halved, and the energy keeps its weight.
+constexpr double kRoughlyMarked = 0.05;
 
 // Rough, without curvatures: the flat energy holds the parametrisation, and a few steps reach the
 // solution from anywhere. Exact: the flat energy is but a damping. Fine: the boundary decides.
@@ -47,7 +56,7 @@ constexpr Weights kExact = {1e-8, 1e-6, 1e-8, 0.03, 1e-3};
 constexpr Weights kFine = {1e-10, 1e-6, 1e-8, 0.03, 1e-3};
 // The energy's weight falls with every level: what misses the boundary last are corners at which
 // the energy would like to round the neighbours' disagreement. Less than the least is rounding.
-constexpr double kEnergyFactor = 0.1;
+constexpr double kEnergyFactor = 0.01;
 constexpr double kLeastEnergy = 1e-13;
 constexpr SolverOptions kRoughSteps = {5, 3e-3, 1e-2};
 constexpr SolverOptions kExactSteps = {8, 2e-6, 1e-1};
@@ -55,8 +64,9 @@ constexpr SolverOptions kFineSteps = {3, 3e-6, 1e-1};
 
 struct Goal {
     double gap, angle, curvature;
-    [[nodiscard]] double missed_by(const Miss& miss) const {
-        return std::max({miss.gap / gap, miss.angle / angle, miss.curvature / curvature});
+    [[nodiscard]] double missed_by(const Miss& miss, const BoundarySample& sample) const {
+        return std::max({miss.gap / gap, miss.angle / (angle + sample.unmet_angle),
+                         miss.curvature / curvature});
     }
 };
 
@@ -97,9 +107,10 @@ Net first_net(const Layout& layout, const Scale& scale, int longer_spans) {
 
 class Levels {
   public:
-    Levels(const RibbonLoop& loop, const Layout& layout, const Scale& scale,
-           const FillOptions& options, int first_spans)
-        : loop_(loop), layout_(layout), scale_(scale), options_(options) {
+    Levels(const Hole& hole, const Layout& layout, const Scale& scale, const FillOptions& options,
+           int first_spans)
+        : hole_(hole), scale_(scale), options_(options) {
+        domain_.loops.push_back(layout);
         const Tolerance& t = options.tolerance;
         goal_.gap = std::clamp(kGapPart * t.linear / scale.length, kLeastGap, kMostGap);
         goal_.angle = kAnglePart * t.angular;
@@ -113,13 +124,17 @@ class Levels {
     void measure();
     [[nodiscard]] bool refine();
     [[nodiscard]] System system(const Weights& weights) const;
-    [[nodiscard]] Eigen::Matrix2Xd polygon() const;
+    void lay_inside();
+    void sample_densely() {
+        measured_ = sample_boundary(hole_, domain_, scale_, span_size(net_) / kMeasuredPerSpan,
+                                    kLeastMeasured, false);
+    }
     void solve(const System& system, const SolverOptions& steps) {
         steps_ += minimise(system, net_, steps, options_.progress).steps;
     }
 
-    const RibbonLoop& loop_;
-    const Layout& layout_;
+    const Hole& hole_;
+    Domain domain_;
     Scale scale_;
     const FillOptions& options_;
     Goal goal_{};
@@ -127,46 +142,80 @@ class Levels {
     std::vector<BoundarySample> measured_;
     std::vector<Miss> misses_;
     double missed_by_ = 0.0;
+    bool poor_ = false;
     int steps_ = 0;
 };
 
-Eigen::Matrix2Xd Levels::polygon() const {
-    Eigen::Matrix2Xd points(2, static_cast<Eigen::Index>(measured_.size()));
-    for (std::size_t k = 0; k < measured_.size(); ++k) {
-        points.col(static_cast<Eigen::Index>(k)) = measured_[k].uv;
+// Islands and inner points lie at their feet on a surface that does not know them yet, and then on
+// those that do.
+void Levels::lay_inside() {
+    if (hole_.loops.size() == 1 && hole_.through.empty()) {
+        return;
     }
-    return points;
+    Hole outer;
+    outer.loops = {hole_.loops.front()};
+    const auto boundary = [&](const Hole& hole, bool ends) {
+        return sample_boundary(hole, domain_, scale_, span_size(net_) / kSamplesPerSpan,
+                               kLeastSamples, ends);
+    };
+    const System alone(net_.u, net_.v, polygons_of(boundary(outer, false)), boundary(outer, true),
+                       kRough);
+    net_ = alone.start();
+    solve(alone, kRoughSteps);
+    lay_on_surface(net_, scale_, hole_, domain_);
+    for (int k = 0; k < kRelayed; ++k) {
+        sample_densely();
+        const System together = system(kRough);
+        net_ = together.start();
+        solve(together, kRoughSteps);
+        lay_on_surface(net_, scale_, hole_, domain_);
+    }
 }
 
 System Levels::system(const Weights& weights) const {
     const double spacing = span_size(net_) / kSamplesPerSpan;
-    return System(net_.u, net_.v, polygon(),
-                  sample_boundary(loop_, layout_, scale_, spacing, kLeastSamples, true), weights);
+    return System(net_.u, net_.v, polygons_of(measured_),
+                  sample_boundary(hole_, domain_, scale_, spacing, kLeastSamples, true), weights);
 }
 
 void Levels::measure() {
     misses_.clear();
     missed_by_ = 0.0;
+    poor_ = false;
     for (const BoundarySample& sample : measured_) {
         misses_.push_back(miss(net_, sample));
-        missed_by_ = std::max(missed_by_, goal_.missed_by(misses_.back()));
+        poor_ = poor_ || misses_.back().angle > kPoorAngle;
+        missed_by_ = std::max(missed_by_, goal_.missed_by(misses_.back(), sample));
     }
 }
 
-// Halves the spans through which the boundary is missed. False where that takes too many poles.
+void keep_least_spans(const Axis& axis, std::vector<bool>& marked) {
+    const double least = kLeastSpan * (axis.knots.back() - axis.knots.front());
+    for (int k = 0; k < axis.spans(); ++k) {
+        if (axis.upper(k) - axis.lower(k) < 2.0 * least) {
+            marked[static_cast<std::size_t>(k)] = false;
+        }
+    }
+}
+
+// Halves the spans through which the boundary is missed. False where none is left to halve, or that
+// takes too many poles.
 bool Levels::refine() {
-    const double limit = std::max(1.0, kMarked * missed_by_);
+    const double limit = std::max(1.0, (poor_ ? kRoughlyMarked : kMarked) * missed_by_);
     std::vector<bool> u(static_cast<std::size_t>(net_.u.spans()), false);
     std::vector<bool> v(static_cast<std::size_t>(net_.v.spans()), false);
     for (std::size_t k = 0; k < measured_.size(); ++k) {
-        if (goal_.missed_by(misses_[k]) > limit) {
+        if (goal_.missed_by(misses_[k], measured_[k]) > limit) {
             u[static_cast<std::size_t>(net_.u.span_of(measured_[k].uv.x()))] = true;
             v[static_cast<std::size_t>(net_.v.span_of(measured_[k].uv.y()))] = true;
         }
     }
+    keep_least_spans(net_.u, u);
+    keep_least_spans(net_.v, v);
     const Axis finer_u = halved(net_.u, u);
     const Axis finer_v = halved(net_.v, v);
-    if (std::max(finer_u.count(), finer_v.count()) > kMostPoles) {
+    if (finer_u.count() + finer_v.count() == net_.u.count() + net_.v.count() ||
+        std::max(finer_u.count(), finer_v.count()) > kMostPoles) {
         return false;
     }
     net_ = mvs::refine(net_, finer_u, finer_v);
@@ -174,10 +223,7 @@ bool Levels::refine() {
 }
 
 Result<Fairing> Levels::run() {
-    const auto sample_densely = [&] {
-        measured_ = sample_boundary(loop_, layout_, scale_, span_size(net_) / kMeasuredPerSpan,
-                                    kLeastMeasured, false);
-    };
+    lay_inside();
     sample_densely();
     System first = system(kRough);
     net_ = first.start();
@@ -186,42 +232,49 @@ Result<Fairing> Levels::run() {
     solve(first, kExactSteps);
     measure();
     Weights weights = kFine;
-    for (int level = 1; level < kLevels && missed_by_ > 1.0; ++level) {
+    const auto relay = [&] { lay_on_surface(net_, scale_, hole_, domain_); };
+    Net best = net_;
+    Domain best_domain = domain_;
+    double least = missed_by_;
+    for (int level = 1, idle = 0; level < kLevels && missed_by_ > 1.0 && idle < kPatience;
+         ++level) {
         options_.progress(static_cast<double>(level) / kLevels, "fairing");
-        const Net coarser = net_;
-        const double before = missed_by_;
         if (!refine()) {
             break;
         }
+        relay();
         sample_densely();
         solve(system(weights), kFineSteps);
         measure();
-        if (missed_by_ > before) {
-            net_ = coarser;
-            measure();
-            break;
-        }
-        if (missed_by_ > kProgress * before) {
-            break;
+        idle = missed_by_ > kProgress * least ? idle + 1 : 0;
+        if (missed_by_ < least) {
+            least = missed_by_;
+            best = net_;
+            best_domain = domain_;
         }
         weights.energy = std::max(kEnergyFactor * weights.energy, kLeastEnergy);
     }
+    net_ = best;
+    domain_ = best_domain;
+    sample_densely();
     if (options_.progress.cancelled()) {
         return fail(ErrorCode::Cancelled, "cancelled after {} steps", steps_);
     }
-    Fairing result{net_, scale_, worst_miss(net_, measured_), regularity(net_, polygon()), steps_};
+    Fairing result{
+        net_,   scale_, worst_miss(net_, measured_), regularity(net_, polygons_of(measured_)),
+        steps_, domain_};
     return result;
 }
 
 }  // namespace
 
-Result<Fairing> fair(const RibbonLoop& loop, const Layout& layout, const FillOptions& options) {
-    const Scale scale = scale_of(loop, layout);
-    Result<Fairing> coarse = Levels(loop, layout, scale, options, kFirstSpans).run();
+Result<Fairing> fair(const Hole& hole, const Layout& layout, const FillOptions& options) {
+    const Scale scale = scale_of(hole.loops.front(), layout);
+    Result<Fairing> coarse = Levels(hole, layout, scale, options, kFirstSpans).run();
     if (!coarse || coarse->worst.angle < kPoorAngle) {
         return coarse;
     }
-    Result<Fairing> fine = Levels(loop, layout, scale, options, kFineFirstSpans).run();
+    Result<Fairing> fine = Levels(hole, layout, scale, options, kFineFirstSpans).run();
     return fine && fine->worst.angle < coarse->worst.angle ? fine : coarse;
 }
 

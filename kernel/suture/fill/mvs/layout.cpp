@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <map>
 #include <memory>
@@ -60,8 +61,65 @@ class Integrations {
     std::map<int, std::shared_ptr<const Eigen::MatrixXd>> matrices_;
 };
 
-Result<Side> sample_side(const Ribbon& ribbon, int count, double diameter,
-                         Integrations& integrations, bool& resolved) {
+// The normal about which a side turns.
+using NormalField = std::function<Eigen::Vector3d(double s)>;
+
+// Sides that want position only take the normals between those of the nearest sides that do have
+// a neighbour to follow, in the order of the loop, or else the loop's own.
+class Normals {
+  public:
+    explicit Normals(const RibbonLoop& loop) : loop_(loop) {
+        for (const Ribbon& ribbon : loop.ribbons) {
+            const Eigen::Vector3d start = ribbon.at(0.0).point;
+            const Eigen::Vector3d middle = ribbon.at(0.5).point;
+            const Eigen::Vector3d end = ribbon.at(1.0).point;
+            area_ += (start - origin()).cross(middle - origin()) +
+                     (middle - origin()).cross(end - origin());
+        }
+        area_.normalize();
+    }
+
+    [[nodiscard]] NormalField along(std::size_t i) const {
+        const Ribbon& ribbon = loop_.ribbons[i];
+        if (follows(i)) {
+            return [&ribbon](double s) { return ribbon.at(s).normal; };
+        }
+        const std::size_t n = loop_.ribbons.size();
+        std::size_t before = 1;
+        while (before < n && !follows((i + n - before) % n)) {
+            ++before;
+        }
+        if (before == n) {
+            return [normal = area_](double) { return normal; };
+        }
+        std::size_t after = 1;
+        while (!follows((i + after) % n)) {
+            ++after;
+        }
+        const Eigen::Vector3d first = loop_.ribbons[(i + n - before) % n].at(1.0).normal;
+        const Eigen::Vector3d last = loop_.ribbons[(i + after) % n].at(0.0).normal;
+        const auto steps = static_cast<double>(before + after - 1);
+        const double offset = static_cast<double>(before - 1);
+        return [=, &ribbon](double s) -> Eigen::Vector3d {
+            const double t = (offset + s) / steps;
+            const Eigen::Vector3d along = ribbon.at(s).tangent.normalized();
+            const Eigen::Vector3d between = (1.0 - t) * first + t * last;
+            return (between - between.dot(along) * along).normalized();
+        };
+    }
+
+  private:
+    [[nodiscard]] bool follows(std::size_t i) const {
+        return loop_.ribbons[i].continuity >= Continuity::G1;
+    }
+    [[nodiscard]] Eigen::Vector3d origin() const { return loop_.ribbons.front().at(0.0).point; }
+
+    const RibbonLoop& loop_;
+    Eigen::Vector3d area_ = Eigen::Vector3d::Zero();
+};
+
+Result<Side> sample_side(const Ribbon& ribbon, const NormalField& normal, int count,
+                         double diameter, Integrations& integrations, bool& resolved) {
     const Eigen::VectorXd s = chebyshev_points(count);
     Side side;
     side.speed.resize(count);
@@ -76,7 +134,7 @@ Result<Side> sample_side(const Ribbon& ribbon, int count, double diameter,
                         s[k]);
         }
         tangents.col(k) = p.tangent / std::max(side.speed[k], kShortestSide * diameter);
-        normals.col(k) = p.normal;
+        normals.col(k) = normal(s[k]);
     }
     const Eigen::MatrixXd coefficients = chebyshev_coefficients(tangents);
     resolved = count == kLastCount || coefficients.rightCols(2).cwiseAbs().maxCoeff() < kResolved;
@@ -103,11 +161,12 @@ Result<Side> sample_side(const Ribbon& ribbon, int count, double diameter,
     return side;
 }
 
-Result<Side> resolve_side(const Ribbon& ribbon, double diameter, Integrations& integrations) {
+Result<Side> resolve_side(const Ribbon& ribbon, const NormalField& normal, double diameter,
+                          Integrations& integrations) {
     int count = kFirstCount;
     while (true) {
         bool resolved = false;
-        Result<Side> side = sample_side(ribbon, count, diameter, integrations, resolved);
+        Result<Side> side = sample_side(ribbon, normal, count, diameter, integrations, resolved);
         if (!side || resolved) {
             return side;
         }
@@ -123,15 +182,24 @@ double corner_turning(const Side& before, const Side& after) {
     return std::atan2(n.dot(a.cross(b)), a.dot(b) - a.dot(n) * b.dot(n));
 }
 
+// In a polygon no corner turns by more than this: a cusp would leave no room for the others.
+constexpr double kSharpest = radians(120.0);
+
 // The sides unrolled with an additional curvature c0 + c1 x + c2 y, where (x, y) is where the point
 // lies in the reference development.
 class Development {
   public:
-    explicit Development(std::vector<Side> sides) : sides_(std::move(sides)) {
+    Development(std::vector<Side> sides, LayoutKind kind) : sides_(std::move(sides)) {
         const std::size_t n = sides_.size();
         corners_.resize(n);
         for (std::size_t i = 0; i < n; ++i) {
             corners_[i] = corner_turning(sides_[(i + n - 1) % n], sides_[i]);
+            if (kind != LayoutKind::Development) {
+                sides_[i].turning.setZero();
+                corners_[i] = kind == LayoutKind::Circle
+                                  ? 0.0
+                                  : std::clamp(corners_[i], -kSharpest, kSharpest);
+            }
             turning_ += corners_[i] + sides_[i].turning[sides_[i].turning.size() - 1];
             length_ += sides_[i].length();
         }
@@ -292,40 +360,12 @@ Box least_box(const RibbonLoop& loop, const std::vector<DomainCurve>& curves,
     return best;
 }
 
-}  // namespace
-
-DomainCurve::DomainCurve(Eigen::Matrix2Xd coefficients)
-    : coefficients_(std::move(coefficients)), derivative_(chebyshev_derivative(coefficients_)) {}
-
-Eigen::Vector2d DomainCurve::at(double s) const {
-    return evaluate_chebyshev(coefficients_, s);
-}
-
-Eigen::Vector2d DomainCurve::derivative(double s) const {
-    return evaluate_chebyshev(derivative_, s);
-}
-
-DomainCurve DomainCurve::moved(const Eigen::Matrix2d& rotation,
-                               const Eigen::Vector2d& shift) const {
-    Eigen::Matrix2Xd moved = rotation * coefficients_;
-    moved.col(0) += shift;
-    return DomainCurve(std::move(moved));
-}
-
-Result<Layout> lay_out(const RibbonLoop& loop, double diameter) {
-    std::vector<Side> sides;
-    Integrations integrations;
-    for (const Ribbon& ribbon : loop.ribbons) {
-        Result<Side> side = resolve_side(ribbon, diameter, integrations);
-        if (!side) {
-            return tl::unexpected(side.error());
-        }
-        sides.push_back(std::move(*side));
-    }
-    Development development(std::move(sides));
+Layout lay_out_as(LayoutKind kind, const RibbonLoop& loop, const std::vector<Side>& sides) {
+    Development development(sides, kind);
     Eigen::Vector3d c(2.0 * kPi - development.turning(), 0.0, 0.0);
     Development::Unrolled unrolled = development.unroll(c);
     Layout layout;
+    layout.kind = kind;
     layout.turning = development.turning();
     layout.closing_gap = unrolled.end.norm() / development.length();
     development.set_reference(unrolled);
@@ -358,6 +398,48 @@ Result<Layout> lay_out(const RibbonLoop& loop, double diameter) {
     }
     layout.lower = turned.lower + shift;
     layout.upper = turned.upper + shift;
+    return layout;
+}
+
+}  // namespace
+
+DomainCurve::DomainCurve(Eigen::Matrix2Xd coefficients)
+    : coefficients_(std::move(coefficients)), derivative_(chebyshev_derivative(coefficients_)) {}
+
+Eigen::Vector2d DomainCurve::at(double s) const {
+    return evaluate_chebyshev(coefficients_, s);
+}
+
+Eigen::Vector2d DomainCurve::derivative(double s) const {
+    return evaluate_chebyshev(derivative_, s);
+}
+
+DomainCurve DomainCurve::moved(const Eigen::Matrix2d& rotation,
+                               const Eigen::Vector2d& shift) const {
+    Eigen::Matrix2Xd moved = rotation * coefficients_;
+    moved.col(0) += shift;
+    return DomainCurve(std::move(moved));
+}
+
+Result<Layout> lay_out(const RibbonLoop& loop, double diameter) {
+    std::vector<Side> sides;
+    Integrations integrations;
+    const Normals normals(loop);
+    for (std::size_t i = 0; i < loop.ribbons.size(); ++i) {
+        Result<Side> side = resolve_side(loop.ribbons[i], normals.along(i), diameter, integrations);
+        if (!side) {
+            return tl::unexpected(side.error());
+        }
+        sides.push_back(std::move(*side));
+    }
+    Layout layout = lay_out_as(LayoutKind::Development, loop, sides);
+    const double turning = layout.turning;
+    for (const LayoutKind simpler : {LayoutKind::Polygon, LayoutKind::Circle}) {
+        if (!layout.simple) {
+            layout = lay_out_as(simpler, loop, sides);
+            layout.turning = turning;
+        }
+    }
     return layout;
 }
 

@@ -27,10 +27,28 @@ class DomainCurve {
     Eigen::Matrix2Xd derivative_;
 };
 
-/// A hole's boundary laid out in the plane, counterclockwise, with the ribbons' own lengths.
-struct Layout {
+/// One loop in the domain.
+struct DomainLoop {
     std::vector<DomainCurve> curves;  ///< one a ribbon; each ends where the next begins
     std::vector<double> lengths;      ///< of the ribbons in space
+};
+
+/// The domain of a fill, in model units.
+struct Domain {
+    std::vector<DomainLoop> loops;         ///< counterclockwise, then the islands, clockwise
+    std::vector<Eigen::Vector2d> through;  ///< of the hole's inner points
+};
+
+/// How a boundary was laid out.
+enum class LayoutKind {
+    Development,  ///< sides and corners turn as they do on the neighbours
+    Polygon,      ///< corners turn as they do, sides alike
+    Circle,       ///< all turns alike
+};
+
+/// A loop laid out in the plane, counterclockwise, with the ribbons' own lengths.
+struct Layout : DomainLoop {
+    LayoutKind kind = LayoutKind::Development;
     double turning = 0.0;      ///< of the boundary as seen on the neighbours; 2 pi in the plane
     double closing_gap = 0.0;  ///< of the development before it was closed, relative to its length
     bool simple = true;        ///< does not cross itself
@@ -40,10 +58,12 @@ struct Layout {
 
 /// Unrolls the boundary: every side turns in the plane as it turns on its neighbour (geodesic
 /// curvature), and so do the corners, plus the one smooth turning that closes the curve at 2 pi
-/// with the least change of curvature. The box of least area has its longer side along v.
+/// with the least change of curvature. Sides that want position only have no neighbour to turn on:
+/// there the normals between those of the nearest sides that do, or that of the whole loop, serve.
+/// What would cross itself that way is laid out more simply. The box of least area has its longer
+/// side along v.
 ///
-/// Refuses  a side of zero length or with an unbounded normal, naming it; a loop that cannot be
-///          closed.
+/// Refuses  a side of zero length or with an unbounded normal, naming it.
 /// Source   docs/methods/mvs.md, "domain".
 [[nodiscard]] Result<Layout> lay_out(const RibbonLoop& loop, double diameter);
 

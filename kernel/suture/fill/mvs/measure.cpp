@@ -44,7 +44,7 @@ Miss worst_miss(const Net& net, const std::vector<BoundarySample>& samples) {
     return worst;
 }
 
-double regularity(const Net& net, const Eigen::Matrix2Xd& polygon) {
+double regularity(const Net& net, const std::vector<Eigen::Matrix2Xd>& polygons) {
     // Two points a span and direction see every fold that is not smaller than a span.
     constexpr int kPerSpan = 2;
     double least = std::numeric_limits<double>::infinity();
@@ -60,14 +60,16 @@ double regularity(const Net& net, const Eigen::Matrix2Xd& polygon) {
         sum += area;
         ++count;
     };
-    for (Eigen::Index k = 0; k < polygon.cols(); ++k) {
-        look(polygon.col(k));
+    for (const Eigen::Matrix2Xd& polygon : polygons) {
+        for (Eigen::Index k = 0; k < polygon.cols(); ++k) {
+            look(polygon.col(k));
+        }
     }
     for (int j = 0; j < kPerSpan * net.v.spans(); ++j) {
         const int b = j / kPerSpan;
         const double t = (j % kPerSpan + 0.5) / kPerSpan;
         const double v = net.v.lower(b) + t * (net.v.upper(b) - net.v.lower(b));
-        const std::vector<double> cut = crossings(polygon, v);
+        const std::vector<double> cut = crossings(polygons, v);
         for (int i = 0; i < kPerSpan * net.u.spans(); ++i) {
             const int a = i / kPerSpan;
             const double s = (i % kPerSpan + 0.5) / kPerSpan;

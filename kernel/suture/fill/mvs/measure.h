@@ -18,7 +18,7 @@ struct Miss {
 /// The largest of each over all samples.
 [[nodiscard]] Miss worst_miss(const Net& net, const std::vector<BoundarySample>& samples);
 
-/// The least area element |X_u x X_v| over the domain inside a closed polygon, against their mean.
-[[nodiscard]] double regularity(const Net& net, const Eigen::Matrix2Xd& polygon);
+/// The least area element |X_u x X_v| over the domain inside closed polygons, against their mean.
+[[nodiscard]] double regularity(const Net& net, const std::vector<Eigen::Matrix2Xd>& polygons);
 
 }  // namespace suture::mvs

@@ -14,14 +14,16 @@ double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
 
 }  // namespace
 
-std::vector<double> crossings(const Eigen::Matrix2Xd& polygon, double v) {
+std::vector<double> crossings(const std::vector<Eigen::Matrix2Xd>& polygons, double v) {
     std::vector<double> result;
-    const Eigen::Index n = polygon.cols();
-    for (Eigen::Index i = 0; i < n; ++i) {
-        const Eigen::Vector2d a = polygon.col(i);
-        const Eigen::Vector2d b = polygon.col((i + 1) % n);
-        if ((a.y() > v) != (b.y() > v)) {
-            result.push_back(a.x() + (v - a.y()) / (b.y() - a.y()) * (b.x() - a.x()));
+    for (const Eigen::Matrix2Xd& polygon : polygons) {
+        const Eigen::Index n = polygon.cols();
+        for (Eigen::Index i = 0; i < n; ++i) {
+            const Eigen::Vector2d a = polygon.col(i);
+            const Eigen::Vector2d b = polygon.col((i + 1) % n);
+            if ((a.y() > v) != (b.y() > v)) {
+                result.push_back(a.x() + (v - a.y()) / (b.y() - a.y()) * (b.x() - a.x()));
+            }
         }
     }
     std::sort(result.begin(), result.end());

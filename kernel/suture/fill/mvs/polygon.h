@@ -6,9 +6,10 @@
 
 namespace suture::mvs {
 
-/// Where the horizontal line at height v crosses a closed polygon (2 x count), from left to right:
-/// a point of the line lies inside when an odd number of them lies to its left.
-[[nodiscard]] std::vector<double> crossings(const Eigen::Matrix2Xd& polygon, double v);
+/// Where the horizontal line at height v crosses closed polygons (2 x count), from left to right: a
+/// point of the line lies inside when an odd number of them lies to its left.
+[[nodiscard]] std::vector<double> crossings(const std::vector<Eigen::Matrix2Xd>& polygons,
+                                            double v);
 
 /// Whether a closed polygon crosses itself.
 [[nodiscard]] bool crosses_itself(const Eigen::Matrix2Xd& polygon);

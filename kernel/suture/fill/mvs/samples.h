@@ -17,6 +17,7 @@ struct Scale {
 
 /// What the surface has to do at one boundary point, in the solver's unit.
 struct BoundarySample {
+    int loop = 0;  ///< -1: an inner point
     int ribbon = 0;
     double s = 0.0;
     double length = 0.0;     ///< of the boundary for which this sample stands
@@ -27,13 +28,26 @@ struct BoundarySample {
     Eigen::Vector3d inward;
     Eigen::Matrix3d curvature;
     Continuity continuity = Continuity::G1;
+    /// What no surface can meet here: near a corner at which the neighbours' normals disagree,
+    /// half their angle, falling to zero away from it.
+    double unmet_angle = 0.0;
 };
 
-/// Samples at equal arc lengths, about `spacing` apart (in the solver's unit) and at least
-/// `least` on a side. `ends`: with the corners; else in the middle of equal pieces, which lie
-/// between the former.
-[[nodiscard]] std::vector<BoundarySample> sample_boundary(const RibbonLoop& loop,
-                                                          const Layout& layout, const Scale& scale,
-                                                          double spacing, int least, bool ends);
+/// Samples of all loops at equal arc lengths, about `spacing` apart (in the solver's unit) and at
+/// least `least` on a side, and then the inner points. `ends`: with the corners; else in the middle
+/// of equal pieces, which lie between the former.
+///
+/// Where two ribbons do not end in the same point, each bends towards the middle of their ends: a
+/// jump would cost the angle there more than the gap that the model has anyway.
+[[nodiscard]] std::vector<BoundarySample> sample_boundary(const Hole& hole, const Domain& domain,
+                                                          const Scale& scale, double spacing,
+                                                          int least, bool ends);
+
+/// A corner of a loop, between ribbon i - 1 and ribbon i.
+struct Corner {
+    double mismatch = 0.0;  ///< angle between the two normals, 0 where one side wants position only
+    Eigen::Vector3d point = Eigen::Vector3d::Zero();  ///< in the middle of the two ends
+};
+[[nodiscard]] std::vector<Corner> corners_of(const RibbonLoop& loop);
 
 }  // namespace suture::mvs

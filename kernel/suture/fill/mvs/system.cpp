@@ -22,19 +22,19 @@ constexpr double kStartEnergy = 1e-8;
 
 }  // namespace
 
-System::System(Axis u, Axis v, const Eigen::Matrix2Xd& polygon, std::vector<BoundarySample> samples,
-               const Weights& weights)
+System::System(Axis u, Axis v, const std::vector<Eigen::Matrix2Xd>& polygons,
+               std::vector<BoundarySample> samples, const Weights& weights)
     : u_(std::move(u)),
       v_(std::move(v)),
       samples_(std::move(samples)),
       weights_(weights),
       flat_(flat({0.0, 0.0, weights.parametrisation, weights.extension})),
       damping_(flat({0.0, 0.0, 1.0, 0.0})) {
-    place_quadrature(polygon);
+    place_quadrature(polygons);
     place_samples();
 }
 
-void System::place_quadrature(const Eigen::Matrix2Xd& polygon) {
+void System::place_quadrature(const std::vector<Eigen::Matrix2Xd>& polygons) {
     const GaussRule& rule = gauss_rule(kQuadrature);
     const auto rows = [&](const Axis& axis) {
         std::vector<BasisRow> result;
@@ -57,7 +57,7 @@ void System::place_quadrature(const Eigen::Matrix2Xd& polygon) {
         const double height = v_.upper(j) - v_.lower(j);
         for (std::size_t q = 0; q < rule.nodes.size(); ++q) {
             const std::vector<double> cut =
-                crossings(polygon, v_.lower(j) + rule.nodes[q] * height);
+                crossings(polygons, v_.lower(j) + rule.nodes[q] * height);
             for (int i = 0; i < u_.spans(); ++i) {
                 Span& span = spans_[static_cast<std::size_t>(i + u_.spans() * j)];
                 const double width = u_.upper(i) - u_.lower(i);

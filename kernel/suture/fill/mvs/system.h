@@ -27,9 +27,9 @@ struct Weights {
 /// a for the direction across the boundary, c, n and II for the neighbour's.
 class System {
   public:
-    /// Input    the domain's boundary as a closed polygon (2 x count).
-    System(Axis u, Axis v, const Eigen::Matrix2Xd& polygon, std::vector<BoundarySample> samples,
-           const Weights& weights);
+    /// Input    the loops of the domain's boundary as closed polygons (2 x count).
+    System(Axis u, Axis v, const std::vector<Eigen::Matrix2Xd>& polygons,
+           std::vector<BoundarySample> samples, const Weights& weights);
 
     /// The minimiser of the flat third-order energy that meets position and tangency and leaves the
     /// boundary at about unit speed: a linear problem.
@@ -79,7 +79,7 @@ class System {
     using LocalVector = Eigen::Matrix<double, 3 * kLocal, 1>;
     using LocalPoles = Eigen::Matrix<double, 3, kLocal>;
 
-    void place_quadrature(const Eigen::Matrix2Xd& polygon);
+    void place_quadrature(const std::vector<Eigen::Matrix2Xd>& polygons);
     void place_samples();
     [[nodiscard]] BlockBand flat(const std::array<double, 4>& orders) const;
     [[nodiscard]] LocalBasis basis_at(const QuadraturePoint& point) const;
