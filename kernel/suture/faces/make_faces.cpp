@@ -25,7 +25,7 @@ namespace {
 using occ::Handle;
 
 /// Samples per edge for the distance between its curve and the new surface.
-constexpr int kSamples = 92;
+constexpr int kSamples = 400;
 
 /// Golden sections of the intervals about a peak among the samples: below 1e-6 of its width.
 constexpr int kSections = 28;
