@@ -1,8 +1,11 @@
 #include "suture/fill/mvs/block_cholesky.h"
 
 #include "suture/base/contract.h"
+#include "suture/fill/mvs/blas.h"
 
 #include <Eigen/Cholesky>
+
+#include <tbb/parallel_for.h>
 
 #include <algorithm>
 
@@ -53,12 +56,12 @@ bool BlockBand::factorise() {
             continue;
         }
         auto panel = A.bottomRows(below * size_);
-        diagonal.triangularView<Eigen::Lower>().transpose().solveInPlace<Eigen::OnTheRight>(panel);
-        for (int k = 1; k <= below; ++k) {
+        divide_by_transposed(diagonal, panel);
+        tbb::parallel_for(1, below + 1, [&](int k) {
             const auto rows = (below - k + 1) * size_;
-            const auto factor = A.middleRows(k * size_, size_);
-            column(j + k).topRows(rows).noalias() -= A.bottomRows(rows) * factor.transpose();
-        }
+            subtract_product(A.bottomRows(rows), A.middleRows(k * size_, size_),
+                             column(j + k).topRows(rows));
+        });
     }
     return true;
 }

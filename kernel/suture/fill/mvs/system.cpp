@@ -1,13 +1,17 @@
 #include "suture/fill/mvs/system.h"
 
 #include "suture/base/contract.h"
+#include "suture/fill/mvs/blas.h"
 #include "suture/fill/mvs/polygon.h"
 #include "suture/fill/mvs/variation.h"
 
 #include <Eigen/Geometry>
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace suture::mvs {
 namespace {
@@ -191,7 +195,7 @@ void System::add_energy(const Span& span, const LocalPoles& poles, LocalMatrix& 
         return;
     }
     // Row 4 p + r: residual r at point p.
-    Eigen::Matrix<double, Eigen::Dynamic, 3 * kLocal> J(4 * span.points.size(), 3 * kLocal);
+    Eigen::MatrixXd J(4 * span.points.size(), 3 * kLocal);
     Eigen::VectorXd r(4 * span.points.size());
     Eigen::Index row = 0;
     for (const QuadraturePoint& point : span.points) {
@@ -206,7 +210,7 @@ void System::add_energy(const Span& span, const LocalPoles& poles, LocalMatrix& 
             J.row(row) = Eigen::Map<const LocalVector>(pulled.data()).transpose();
         }
     }
-    matrix.selfadjointView<Eigen::Lower>().rankUpdate(J.transpose());
+    add_gram(J, matrix);
     gradient.noalias() += J.transpose() * r;
     objective += 0.5 * r.squaredNorm();
 }
@@ -265,17 +269,36 @@ void System::scatter(const Span& span, const LocalVector& local, Eigen::VectorXd
 System::Linearised System::linearise(const Net& net) const {
     Linearised result{BlockBand(v_.count(), 3 * u_.count(), kDegree),
                       Eigen::VectorXd::Zero(net.unknowns()), 0.0};
-    for (const Span& span : spans_) {
-        if (span.points.empty() && span.samples.empty()) {
-            continue;
+    struct Local {
+        LocalMatrix matrix;
+        LocalVector gradient;
+        double objective = 0.0;
+    };
+    // Row by row: the spans of a row side by side, then added in their own order, so that the sums
+    // are the same on any number of threads.
+    const auto width = static_cast<std::size_t>(u_.spans());
+    std::vector<Local> row(width);
+    for (std::size_t first = 0; first < spans_.size(); first += width) {
+        tbb::parallel_for(std::size_t{0}, width, [&](std::size_t i) {
+            const Span& span = spans_[first + i];
+            Local& local = row[i];
+            if (!span.empty()) {
+                local.matrix.setZero();
+                local.gradient.setZero();
+                local.objective = 0.0;
+                const LocalPoles poles = net.local_poles(span.u, span.v);
+                add_energy(span, poles, local.matrix, local.gradient, local.objective);
+                add_conditions(span, poles, local.matrix, local.gradient, local.objective);
+            }
+        });
+        for (std::size_t i = 0; i < width; ++i) {
+            const Span& span = spans_[first + i];
+            if (!span.empty()) {
+                scatter(span, row[i].matrix, result.matrix);
+                scatter(span, row[i].gradient, result.gradient);
+                result.objective += row[i].objective;
+            }
         }
-        const LocalPoles poles = net.local_poles(span.u, span.v);
-        LocalMatrix local = LocalMatrix::Zero();
-        LocalVector gradient = LocalVector::Zero();
-        add_energy(span, poles, local, gradient, result.objective);
-        add_conditions(span, poles, local, gradient, result.objective);
-        scatter(span, local, result.matrix);
-        scatter(span, gradient, result.gradient);
     }
     const Eigen::Map<const Eigen::VectorXd> x(net.poles.data(), net.unknowns());
     const Eigen::VectorXd flat = weights_.energy * flat_.times(x);
@@ -286,17 +309,19 @@ System::Linearised System::linearise(const Net& net) const {
 }
 
 double System::objective(const Net& net) const {
-    double sum = 0.0;
-    for (const Span& span : spans_) {
+    std::vector<double> sums(spans_.size(), 0.0);
+    tbb::parallel_for(std::size_t{0}, spans_.size(), [&](std::size_t i) {
+        const Span& span = spans_[i];
         const LocalPoles poles = net.local_poles(span.u, span.v);
         for (const QuadraturePoint& point : span.points) {
             const Derivatives X = poles * basis_at(point);
-            sum += weights_.energy * point.weight * curvature_variation(X).squaredNorm();
+            sums[i] += weights_.energy * point.weight * curvature_variation(X).squaredNorm();
         }
         for (const std::size_t k : span.samples) {
-            sum += residual_weights(k).dot(residuals(k, poles).cwiseAbs2());
+            sums[i] += residual_weights(k).dot(residuals(k, poles).cwiseAbs2());
         }
-    }
+    });
+    const double sum = std::accumulate(sums.begin(), sums.end(), 0.0);
     const Eigen::Map<const Eigen::VectorXd> x(net.poles.data(), net.unknowns());
     return 0.5 * (sum + weights_.energy * x.dot(flat_.times(x)));
 }

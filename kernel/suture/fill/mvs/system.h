@@ -74,6 +74,7 @@ class System {
         int v = 0;
         std::vector<QuadraturePoint> points;
         std::vector<std::size_t> samples;
+        [[nodiscard]] bool empty() const { return points.empty() && samples.empty(); }
     };
     using LocalMatrix = Eigen::Matrix<double, 3 * kLocal, 3 * kLocal>;
     using LocalVector = Eigen::Matrix<double, 3 * kLocal, 1>;
