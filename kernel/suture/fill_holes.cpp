@@ -118,6 +118,7 @@ Result<std::vector<TopoDS_Face>> fill_one(const std::vector<BoundaryLoop>& loops
     if (!hole) {
         return tl::unexpected(hole.error());
     }
+    hole->through = report.through = request.through;
     ask(*hole, request, report);
     const Tolerance tolerance = reachable(request, *hole, report);
     const auto choice = choose_fill(loops, *hole, request, tolerance);
@@ -141,6 +142,9 @@ Result<std::vector<TopoDS_Face>> fill_one(const std::vector<BoundaryLoop>& loops
         report.patches.push_back(facts_of(patch));
     }
     conclude(choice->measured.sides, tolerance, report);
+    report.max_distance_through = choice->measured.through;
+    report.within_tolerance =
+        report.within_tolerance && report.max_distance_through <= tolerance.linear;
     return made->faces;
 }
 
@@ -161,6 +165,11 @@ Result<FillOutcome> fill_holes(const TopoDS_Shape& shape, const occ::Numbering& 
     const auto selection = select_holes(*loops, request);
     if (!selection) {
         return tl::unexpected(selection.error());
+    }
+    if (!request.through.empty() && selection->holes.size() != 1) {
+        return fail(ErrorCode::Usage,
+                    "points to pass through belong to one hole, not to {}: choose it with --hole",
+                    selection->holes.size());
     }
     FillOutcome outcome;
     for (std::size_t i = 0; i < selection->holes.size(); ++i) {

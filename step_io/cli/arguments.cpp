@@ -13,7 +13,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::string_view kListOptions[] = {"--hole", "--holes", "--edge", "--edges"};
+constexpr std::string_view kListOptions[] = {"--hole", "--holes", "--edge", "--edges",
+                                             "--through-edges"};
 
 /// A range like 1-1000000000 is a slip of the pen, not a list of edges.
 constexpr int kLongestRange = 1'000'000;

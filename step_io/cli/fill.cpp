@@ -3,6 +3,7 @@
 #include "cli/fill_report.h"
 #include "cli/methods.h"
 #include "cli/options.h"
+#include "cli/points_file.h"
 
 #include <fmt/format.h>
 #include <tbb/global_control.h>
@@ -23,6 +24,7 @@ constexpr CommandHelp kHelp{
     "  suture fill part.step -o filled.step --hole 3+4        one face with an island\n"
     "  suture fill part.step -o filled.step --edges 12        the hole that has this edge\n"
     "  suture fill part.step -o filled.step --continuity G1 --edge-continuity 12=G2,13=G0\n"
+    "  suture fill part.step -o filled.step --hole 2 --through scan.csv   points to pass\n"
     "  suture fill wing.igs -o wing.step --report wing.html   loose faces are sewn first\n"
     "  suture fill part.step -o part.3mf --deflection 0.02    a watertight mesh\n"
     "Exit codes: 0 done, 4 done but out of tolerance or some hole refused, 3 no hole (nothing is "
@@ -35,6 +37,8 @@ struct FillOptions {
     std::string continuity = "auto";
     std::string edge_continuity;
     std::string occt_setting = "default";
+    std::filesystem::path through;
+    std::string through_edges;
     std::optional<double> tolerance, angle, curvature, timeout;
     MeshSettings mesh;
     std::optional<int> jobs;
@@ -119,6 +123,16 @@ Result<void> validate_fill(Command& command, FillOptions& options) {
     if (auto format = take(io::format_of_extension(options.output), settings.format); !format) {
         return format;
     }
+    if (!options.through.empty()) {
+        if (auto points = take(read_points(options.through), settings.request.through); !points) {
+            return points;
+        }
+    }
+    if (!options.through_edges.empty()) {
+        if (auto edges = take(parse_edges(options.through_edges), settings.through_edges); !edges) {
+            return edges;
+        }
+    }
     for (const auto& result :
          {take_wishes(options, settings.request), take_limits(options, settings.request),
           validate_sewing(settings.load), validate_mesh(options.mesh),
@@ -152,6 +166,12 @@ void add_wishes(CLI::App& app, FillOptions& options) {
                    "How the new face joins its neighbours: G0 (position), G1 (tangent), G2 "
                    "(curvature) or auto")
         ->option_text("G0|G1|G2|auto");
+    app.add_option("--through", options.through,
+                   "Points that the new face has to pass: a text file with x, y, z on each line")
+        ->option_text("POINTS.csv");
+    app.add_option("--through-edges", options.through_edges,
+                   "Edges of the model that the new face has to follow (FreeCAD's EdgeN)")
+        ->option_text("E...");
     app.add_option("--edge-continuity", options.edge_continuity,
                    "The same for single edges: 12=G2,13=G0")
         ->option_text("E=G2...");

@@ -4,9 +4,14 @@
 #include "cli/remeasure.h"
 #include "cli/reread.h"
 #include "files/read.h"
+#include "suture/occ/convert.h"
 
 #include <spdlog/spdlog.h>
 #include <tbb/task_group.h>
+
+#include <BRepAdaptor_Curve.hxx>
+#include <BRep_Tool.hxx>
+#include <TopoDS.hxx>
 
 #include <algorithm>
 #include <optional>
@@ -25,6 +30,31 @@ constexpr double kReread = 0.95;
 bool is_mesh(io::Format format) {
     return format == io::Format::Stl || format == io::Format::Off || format == io::Format::Obj ||
            format == io::Format::ThreeMf;
+}
+
+/// Points of edges at equal parameters, ends included: as many as bend a face along them.
+Result<std::vector<Eigen::Vector3d>> points_on_edges(const TopoDS_Shape& model,
+                                                     const std::vector<int>& edges) {
+    constexpr int kPoints = 24;
+    const occ::Numbering numbering(model);
+    std::vector<Eigen::Vector3d> points;
+    for (const int number : edges) {
+        if (number > numbering.edges.Extent()) {
+            return fail(ErrorCode::Usage, "there is no edge {}: the model has {} edges", number,
+                        numbering.edges.Extent());
+        }
+        const TopoDS_Edge edge = TopoDS::Edge(numbering.edges(number));
+        if (BRep_Tool::Degenerated(edge)) {
+            return fail(ErrorCode::Usage, "edge {} has no length: no face can follow it", number);
+        }
+        const BRepAdaptor_Curve curve(edge);
+        for (int k = 0; k <= kPoints; ++k) {
+            const double t = curve.FirstParameter() +
+                             (curve.LastParameter() - curve.FirstParameter()) * k / kPoints;
+            points.push_back(occ::from_occ(curve.Value(t)));
+        }
+    }
+    return points;
 }
 
 /// Loops of parts in which nothing is filled.
@@ -75,11 +105,37 @@ class FillJob {
         summary_.seconds.detect = watch.seconds();
         if (requests) {
             requests_ = std::move(*requests);
-            return {};
+            return pass_through();
         }
         // A model that only needed sewing is done; it is written below.
         const bool done = model_.sewing.changed && requests.error().code == ErrorCode::NothingToDo;
         return done ? Result<void>() : tl::unexpected(requests.error());
+    }
+
+    /// Points are given in the model; the one part with the hole has coordinates of its own.
+    Result<void> pass_through() {
+        Result<std::vector<Eigen::Vector3d>> points =
+            points_on_edges(model_.whole, settings_.through_edges);
+        if (!points) {
+            return tl::unexpected(points.error());
+        }
+        points->insert(points->end(), settings_.request.through.begin(),
+                       settings_.request.through.end());
+        if (!points->empty() && requests_.size() != 1) {
+            return fail(ErrorCode::Usage,
+                        "points to pass through belong to one hole, but {} parts have holes: "
+                        "choose it with --hole",
+                        requests_.size());
+        }
+        for (PartRequest& wanted : requests_) {
+            const gp_Trsf to_part = parts_[wanted.part].placement.Inverted().Transformation();
+            wanted.request.through.clear();
+            for (const Eigen::Vector3d& point : *points) {
+                wanted.request.through.push_back(
+                    occ::from_occ(occ::to_point(point).Transformed(to_part)));
+            }
+        }
+        return {};
     }
 
     Result<void> fill() {

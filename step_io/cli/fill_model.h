@@ -19,6 +19,8 @@ struct FillSettings {
     io::Format format = io::Format::Step;
     LoadOptions load;
     FillRequest request;
+    /// EdgeN of the model that the new face has to pass, besides request.through.
+    std::vector<int> through_edges;
     io::MeshOptions mesh;
 };
 

@@ -2,6 +2,7 @@
 
 #include "suture/base/contract.h"
 #include "suture/check/continuity.h"
+#include "suture/check/point_distance.h"
 #include "suture/occ/convert.h"
 
 #include <fmt/format.h>
@@ -118,6 +119,7 @@ struct Found {
     HoleReport* hole = nullptr;
     std::map<int, SideReport*> sides;  ///< by their edges
     std::vector<int> edges;            ///< the sides, and all edges of the new faces
+    std::vector<TopoDS_Face> faces;    ///< the new faces
 };
 
 /// Finds the new faces of one hole and its sides.
@@ -127,7 +129,7 @@ class HoleFinder {
         : measured_(measured), faces_(measured.faces), edges_(measured.edges) {}
 
     Found find(const FilledPart& part, HoleReport& hole, std::span<const TopoDS_Face> new_faces) {
-        Found found{&hole, {}, {}};
+        Found found{&hole, {}, {}, {}};
         for (SideReport& side : hole.sides) {
             const TopoDS_Shape edge = part.before->numbering.edges(side.edge);
             if (const int number = edges_.find(signature_in_model(edge, part)); number > 0) {
@@ -142,6 +144,7 @@ class HoleFinder {
                 hole.notes.emplace_back("a new face was not found again in the output");
                 continue;
             }
+            found.faces.push_back(TopoDS::Face(measured_.faces(face)));
             for (const TopoDS_Edge& edge : occ::edges_of(measured_.faces(face))) {
                 found.edges.push_back(measured_.of(edge));
             }
@@ -234,6 +237,18 @@ void judge(const Found& found, const ContinuityReport& report, const Tolerance& 
     }
 }
 
+/// The points that the new faces were to pass, which are given in the part's own coordinates.
+void judge_through(const std::vector<TopoDS_Face>& faces, const TopLoc_Location& placement,
+                   const Tolerance& tolerance, HoleReport& hole) {
+    hole.max_distance_through = 0.0;
+    for (const Eigen::Vector3d& point : hole.through) {
+        const gp_Pnt in_model = occ::to_point(point).Transformed(placement.Transformation());
+        hole.max_distance_through =
+            std::max(hole.max_distance_through, measure_distance(occ::from_occ(in_model), faces));
+    }
+    hole.within_tolerance = hole.within_tolerance && hole.max_distance_through <= tolerance.linear;
+}
+
 /// Calls action(part, hole, its new faces).
 template <class Action>
 void for_each_filled(std::vector<FilledPart>& parts, Action&& action) {
@@ -274,6 +289,10 @@ Result<void> remeasure(const TopoDS_Shape& shape, std::vector<FilledPart>& parts
     for (const Found& found : holes) {
         judge(found, *report, tolerance);
     }
+    std::size_t next = 0;
+    for_each_filled(parts, [&](const FilledPart& part, HoleReport& hole, const auto& /*faces*/) {
+        judge_through(holes[next++].faces, part.before->placement, tolerance, hole);
+    });
     return {};
 }
 

@@ -153,6 +153,9 @@ Json json_of(const HoleReport& hole, int sides) {
     json["max_gap"] = measured(hole.max_gap);
     json["max_angle_deg"] = measured(degrees(hole.max_angle));
     json["max_curvature_mismatch"] = measured(hole.max_curvature_mismatch);
+    json["points_through"] = hole.through.size();
+    json["max_distance_through"] =
+        hole.through.empty() ? Json() : measured(hole.max_distance_through);
     json["patches"] = array_of(hole.patches);
     json["edges"] = filled ? array_of(hole.sides) : Json::array();
     json["seconds"] = hole.seconds;

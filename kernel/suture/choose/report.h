@@ -2,6 +2,8 @@
 
 #include "suture/model/continuity.h"
 
+#include <Eigen/Core>
+
 #include <string>
 #include <string_view>
 #include <vector>
@@ -42,6 +44,8 @@ struct HoleReport {
     double max_gap = 0.0, max_angle = 0.0, max_curvature_mismatch = 0.0;
     std::vector<PatchFacts> patches;
     std::vector<SideReport> sides;
+    std::vector<Eigen::Vector3d> through;  ///< points that were to be passed
+    double max_distance_through = 0.0;     ///< of these points from the new face
     std::vector<std::string> notes;
     double seconds = 0.0;
     std::string reason;  ///< why this method, or why refused or skipped

@@ -5,6 +5,8 @@
 #include "suture/model/continuity.h"
 #include "suture/occt_filling/plate.h"
 
+#include <Eigen/Core>
+
 #include <chrono>
 #include <map>
 #include <optional>
@@ -21,6 +23,7 @@ struct FillRequest {
     std::string method = "auto";
     std::optional<Continuity> continuity;       ///< none: auto
     std::map<int, Continuity> edge_continuity;  ///< EdgeN -> continuity
+    std::vector<Eigen::Vector3d> through;       ///< points that the one new face has to pass
     PlateSetting plate_setting = PlateSetting::Default;
     Tolerance tolerance;
     std::chrono::milliseconds plate_limit{120'000};  ///< for each run of OCCT's filling

@@ -2,6 +2,7 @@
 
 #include "suture/check/brepcheck_problems.h"
 #include "suture/check/continuity.h"
+#include "suture/check/point_distance.h"
 #include "suture/faces/make_faces.h"
 #include "suture/occ/guard.h"
 #include "suture/occ/topology.h"
@@ -86,6 +87,10 @@ Result<TrialMeasure> measure(const CopiedHole& copied, const Hole& hole,
             result.sides.push_back(side);
         }
     }
+    for (const Eigen::Vector3d& point : hole.through) {
+        result.through = std::max(result.through, measure_distance(point, faces));
+    }
+    result.score = std::max(result.score, result.through / tolerance.linear);
     return result;
 }
 

@@ -63,12 +63,6 @@ Result<FillResult> fill_mvs(const Hole& hole, const FillOptions& options) {
     if (!layout) {
         return tl::unexpected(layout.error());
     }
-    if (!layout->simple) {
-        return fail(ErrorCode::Refused,
-                    "the boundary from {} on, laid out in the plane, crosses itself (it turns by "
-                    "{:.1f} deg on its neighbours)",
-                    name_of(loop.ribbons.front()), degrees(layout->turning));
-    }
     const Result<mvs::Fairing> fairing = mvs::fair(hole, *layout, options);
     if (!fairing) {
         return tl::unexpected(fairing.error());

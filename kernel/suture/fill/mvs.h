@@ -8,11 +8,12 @@ namespace suture {
 /// neighbours and whose curvature varies least, integral of |grad II|^2. Spheres and cylinders come
 /// back as they were, everything else as the fairest surface there is.
 ///
-/// Result    one patch; trims[0][i] is where ribbon i runs in its domain.
+/// Result    one patch; trims[l][i] is where ribbon i of loop l runs in its domain. Loops after the
+///           first are islands, hole.through are points to pass through.
 /// Promises  deterministic; the surface is regular on the trimmed domain and faces the neighbours'
 ///           way, both measured before return. The notes say what was reached at the boundary.
-/// Refuses   a side of zero length or with an unbounded normal; a loop whose layout crosses itself;
-///           more than one loop; an iteration that does not settle; a surface that folds.
+/// Refuses   a side of zero length or with an unbounded normal; a loop that crosses itself; an
+///           iteration that does not settle; a surface that folds.
 /// Source    Moreton & Sequin, Functional optimization for fair surface design, SIGGRAPH 1992; the
 ///           scheme is our own: docs/methods/mvs.md.
 [[nodiscard]] Result<FillResult> fill_mvs(const Hole& hole, const FillOptions& options);

@@ -55,6 +55,7 @@ GeomAbs_Shape constraint(Continuity continuity) {
 
 /// OCCT's face, and after it the loop's edges as OCCT copied them, with their curves on the face.
 Result<TopoDS_Compound> run_filling(const BoundaryLoop& loop, const RibbonLoop& ribbons,
+                                    const std::vector<Eigen::Vector3d>& through,
                                     const PlateArguments& a) {
     BRepOffsetAPI_MakeFilling filling(a.energy_degree, a.points_on_curve, a.iterations,
                                       a.anisotropic, a.tolerance_2d, a.tolerance_3d,
@@ -63,6 +64,9 @@ Result<TopoDS_Compound> run_filling(const BoundaryLoop& loop, const RibbonLoop& 
     for (std::size_t i = 0; i < loop.edges.size(); ++i) {
         filling.Add(loop.edges[i].edge, loop.edges[i].face,
                     constraint(ribbons.ribbons[i].continuity), /*IsBound=*/Standard_True);
+    }
+    for (const Eigen::Vector3d& point : through) {
+        filling.Add(occ::to_point(point));
     }
     filling.Build();
     if (!filling.IsDone() || filling.Shape().IsNull()) {
@@ -143,7 +147,8 @@ Result<FillResult> fill_with_plate(const std::vector<BoundaryLoop>& loops, const
     const auto bytes = occ::run_isolated(
         "OCCT's filling",
         [&]() -> Result<std::string> {
-            const auto made = run_filling(loops.front(), hole.loops.front(), arguments_of(setting));
+            const auto made =
+                run_filling(loops.front(), hole.loops.front(), hole.through, arguments_of(setting));
             return made ? Result<std::string>(packed(*made)) : tl::unexpected(made.error());
         },
         limit, progress);

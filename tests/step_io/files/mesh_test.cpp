@@ -203,8 +203,7 @@ TEST(MeshFiles, OpenScadTakesThemAsTheSameBody) {
     for (const auto& [name, format] :
          {std::pair{"a.stl", Format::Stl}, std::pair{"a.off", Format::Off},
           std::pair{"a.3mf", Format::ThreeMf}}) {
-        const auto done =
-            write_model(model_of(shape, "box"), folder / name, format, {0.1, 0.35});
+        const auto done = write_model(model_of(shape, "box"), folder / name, format, {0.1, 0.35});
         ASSERT_TRUE(done) << done.error().message;
         EXPECT_NEAR(volume_through_openscad(folder, name), expected, 1e-4 * expected)
             << name << content(folder / "log");

@@ -30,6 +30,9 @@ constexpr double kClosed = 1e-13;
 constexpr int kClosingSteps = 30;
 // Points a side for tests of crossing and for the box.
 constexpr int kPolylinePoints = 48;
+// Sides that come this near to each other in space, relative to the diameter, cross: the polylines
+// are not nearer to the curves.
+constexpr double kTouching = 1e-4;
 // Boxes whose areas differ by less than this count as equal, so that rounding does not choose.
 constexpr double kEqualArea = 1e-6;
 
@@ -320,6 +323,17 @@ Eigen::Matrix2Xd polyline(const std::vector<DomainCurve>& curves) {
     return points;
 }
 
+Eigen::Matrix3Xd space_polyline(const RibbonLoop& loop) {
+    Eigen::Matrix3Xd points(3, static_cast<Eigen::Index>(loop.ribbons.size()) * kPolylinePoints);
+    Eigen::Index at = 0;
+    for (const Ribbon& ribbon : loop.ribbons) {
+        for (int k = 0; k < kPolylinePoints; ++k) {
+            points.col(at++) = ribbon.at(static_cast<double>(k) / kPolylinePoints).point;
+        }
+    }
+    return points;
+}
+
 struct Box {
     double angle = 0.0;
     Eigen::Vector2d lower, upper;
@@ -431,6 +445,10 @@ Result<Layout> lay_out(const RibbonLoop& loop, double diameter) {
             return tl::unexpected(side.error());
         }
         sides.push_back(std::move(*side));
+    }
+    if (crosses_in_space(space_polyline(loop), kTouching * diameter)) {
+        return fail(ErrorCode::Refused, "the boundary from {} on crosses itself",
+                    name_of(loop.ribbons.front()));
     }
     Layout layout = lay_out_as(LayoutKind::Development, loop, sides);
     const double turning = layout.turning;

@@ -63,7 +63,8 @@ struct Layout : DomainLoop {
 /// What would cross itself that way is laid out more simply. The box of least area has its longer
 /// side along v.
 ///
-/// Refuses  a side of zero length or with an unbounded normal, naming it.
+/// Refuses  a side of zero length or with an unbounded normal, naming it; a loop that crosses
+///          itself in space.
 /// Source   docs/methods/mvs.md, "domain".
 [[nodiscard]] Result<Layout> lay_out(const RibbonLoop& loop, double diameter);
 

@@ -11,6 +11,9 @@ namespace suture::mvs {
 [[nodiscard]] std::vector<double> crossings(const std::vector<Eigen::Matrix2Xd>& polygons,
                                             double v);
 
+/// Whether two sides of a closed polygon in space (3 x count) cross, or pass nearer than `limit`.
+[[nodiscard]] bool crosses_in_space(const Eigen::Matrix3Xd& polygon, double limit);
+
 /// Whether a closed polygon crosses itself.
 [[nodiscard]] bool crosses_itself(const Eigen::Matrix2Xd& polygon);
 

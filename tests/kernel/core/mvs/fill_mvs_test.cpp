@@ -247,12 +247,115 @@ TEST(FillMvs, DoesNotDependOnTheStartEdge) {
     EXPECT_LT(std::abs(j.u.cross(j.v).normalized().dot(j.point - q)), kSame);
 }
 
-TEST(FillMvs, RefusesIslands) {
-    Hole hole = zoo::suitcase_corner(1.0);
-    hole.loops.push_back(hole.loops.front());
+// Clockwise: with the hole on the left.
+std::vector<zoo::Curve> reversed(std::vector<zoo::Curve> curves) {
+    std::reverse(curves.begin(), curves.end());
+    for (zoo::Curve& curve : curves) {
+        curve = [forward = curve](double s) {
+            const auto [uv, velocity] = forward(1.0 - s);
+            return std::pair<Vector2d, Vector2d>(uv, -velocity);
+        };
+    }
+    return curves;
+}
+
+Hole with_island(Hole hole, const Hole& island) {
+    hole.loops.push_back(island.loops.front());
+    return hole;
+}
+
+// The largest gap and angle at an island.
+std::pair<double, double> at_island(const Hole& hole, const FillResult& result) {
+    const Patch& patch = result.patches.front();
+    const auto& surface = std::get<SplineSurface>(patch.surface);
+    double gap = 0.0;
+    double angle = 0.0;
+    for (std::size_t i = 0; i < hole.loops[1].ribbons.size(); ++i) {
+        for (int k = 0; k <= 61; ++k) {
+            const RibbonPoint q = hole.loops[1].ribbons[i].at(k / 61.0);
+            const Vector2d uv = patch.trims[1][i](k / 61.0);
+            const SurfaceJet j = evaluate(surface, uv.x(), uv.y());
+            const Vector3d n = j.u.cross(j.v).normalized();
+            gap = std::max(gap, (j.point - q.point).norm() / hole.diameter);
+            angle = std::max(angle, std::atan2(n.cross(q.normal).norm(), n.dot(q.normal)));
+        }
+    }
+    return {gap, degrees(angle)};
+}
+
+TEST(FillMvs, GivesASphereBackBetweenARimAndIslandsOfAnyShape) {
+    const zoo::Surface sphere = zoo::sphere(1.0);
+    for (const Window& window : windows({0.35, 0.22}, 0.2)) {
+        SCOPED_TRACE(window.name);
+        const Hole hole = with_island(zoo::window(sphere, zoo::regular({0.3, 0.2}, 0.6, 5)),
+                                      zoo::window(sphere, reversed(window.curves)));
+        const Result<FillResult> result = fill_mvs(hole, {});
+        ASSERT_TRUE(result) << result.error().message;
+        ASSERT_EQ(result->patches[0].trims.size(), 2U);
+        const auto [gap, angle] = at_island(hole, *result);
+        EXPECT_LT(gap, 2e-6);
+        EXPECT_LT(angle, 0.001);
+        expect_exact(measure(hole, *result, around(sphere, {0.3, 0.2}, 0.6)));
+    }
+}
+
+TEST(FillMvs, FilletsABossOnAPlateAllTheWayAround) {
+    const double boss = 1.0;
+    const double fillet = 0.6;
+    const zoo::Surface plate =
+        zoo::graph([](const zoo::Jet& x, const zoo::Jet& y) { return 0.0 * x * y; });
+    std::vector<Ribbon> foot;
+    for (int k = 0; k < 2; ++k) {
+        foot.push_back(zoo::ribbon(zoo::cylinder(boss),
+                                   zoo::polygon({{-kPi * k, fillet}, {-kPi * (k + 1), fillet}})[0],
+                                   Continuity::G1, 10 + k));
+    }
+    const Hole hole =
+        with_island(zoo::window(plate, zoo::circle({0, 0}, boss + fillet, 3)), zoo::hole_of(foot));
     const Result<FillResult> result = fill_mvs(hole, {});
-    ASSERT_FALSE(result);
-    EXPECT_EQ(result.error().code, ErrorCode::Refused);
+    ASSERT_TRUE(result) << result.error().message;
+    const auto [gap, angle] = at_island(hole, *result);
+    EXPECT_LT(gap, 1e-5);
+    EXPECT_LT(angle, 0.005);
+    // Near the ball-rolled fillet, a piece of a torus, in all directions.
+    const Patch& patch = result->patches.front();
+    const auto& surface = std::get<SplineSurface>(patch.surface);
+    for (const TrimCurve& trim : patch.trims[0]) {
+        for (const double s : {0.1, 0.3, 0.8}) {
+            const Vector2d uv = 0.8 * trim(s);
+            const Vector3d p = evaluate(surface, uv.x(), uv.y()).point;
+            const Vector2d meridian(p.head<2>().norm() - boss - fillet, p.z() - fillet);
+            EXPECT_NEAR(meridian.norm(), fillet, 0.06 * fillet);
+        }
+    }
+}
+
+TEST(FillMvs, PassesThroughInnerPoints) {
+    const zoo::Surface flat =
+        zoo::graph([](const zoo::Jet& x, const zoo::Jet& y) { return 0.0 * x * y; });
+    Hole hole = zoo::window(flat, zoo::regular({0, 0}, 1.0, 5), Continuity::G0);
+    hole.through = {{0.1, 0.05, 0.2}, {-0.3, 0.2, 0.12}};
+    const Result<FillResult> result = fill_mvs(hole, {});
+    ASSERT_TRUE(result) << result.error().message;
+    const auto& surface = std::get<SplineSurface>(result->patches.front().surface);
+    for (const Vector3d& point : hole.through) {
+        double least = 1.0;
+        for (int i = 0; i <= 800; ++i) {
+            for (int j = 0; j <= 800; ++j) {
+                const double u = surface.knots_u.front() +
+                                 (surface.knots_u.back() - surface.knots_u.front()) * i / 800;
+                const double v = surface.knots_v.front() +
+                                 (surface.knots_v.back() - surface.knots_v.front()) * j / 800;
+                const SurfaceJet x = evaluate(surface, u, v);
+                const Vector3d n = x.u.cross(x.v).normalized();
+                const Vector3d d = point - x.point;
+                if (d.norm() < 0.005) {
+                    least = std::min(least, std::abs(n.dot(d)));
+                }
+            }
+        }
+        EXPECT_LT(least, 2e-5);
+    }
 }
 
 TEST(FillMvs, RefusesALoopThatCrossesItself) {
