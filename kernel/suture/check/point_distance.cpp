@@ -1,7 +1,5 @@
 #include "suture/check/point_distance.h"
 
-#include "suture/occ/convert.h"
-
 #include <BRepBuilderAPI_MakeVertex.hxx>
 #include <BRepExtrema_DistShapeShape.hxx>
 
@@ -11,7 +9,8 @@
 namespace suture {
 
 double measure_distance(const Eigen::Vector3d& point, std::span<const TopoDS_Face> faces) {
-    const TopoDS_Shape vertex = BRepBuilderAPI_MakeVertex(occ::to_point(point)).Shape();
+    const TopoDS_Shape vertex =
+        BRepBuilderAPI_MakeVertex(gp_Pnt(point.x(), point.y(), point.z())).Shape();
     double least = std::numeric_limits<double>::infinity();
     for (const TopoDS_Face& face : faces) {
         const BRepExtrema_DistShapeShape distance(vertex, face);

@@ -16,6 +16,7 @@ using Clock = std::chrono::steady_clock;
 struct Attempt {
     std::string name;
     std::function<Result<FillResult>()> fill;
+    bool slow = false;
 };
 
 bool position_only(const Hole& hole) {
@@ -61,11 +62,13 @@ std::vector<Attempt> attempts_for(const std::vector<BoundaryLoop>& loops, const 
                               [](const Attempt& attempt) { return attempt.name == "plane"; });
     }
     const auto plate = [&](PlateSetting setting, bool relaxed = false) {
-        attempts.push_back({plate_name(setting, relaxed), [&, setting, relaxed] {
+        attempts.push_back({plate_name(setting, relaxed),
+                            [&, setting, relaxed] {
                                 return fill_with_plate(
                                     loops, relaxed ? without_tangency(hole) : hole, setting,
                                     request.plate_limit, request.progress);
-                            }});
+                            },
+                            /*slow=*/true});
     };
     if (automatic) {
         plate(PlateSetting::Default);
@@ -83,6 +86,11 @@ std::vector<Attempt> attempts_for(const std::vector<BoundaryLoop>& loops, const 
     }
     return attempts;
 }
+
+/// OCCT's filling can take a minute. On the holes measured it never came noticeably nearer than a
+/// candidate that is within so many times the tolerance: there it is the model's own noise that is
+/// left.
+constexpr double kNear = 30.0;
 
 /// A surface that is off by a fiftieth of the hole, or folded back at its border, closes nothing:
 /// `auto` never takes it, `occt` only if OCCT has nothing better.
@@ -168,6 +176,10 @@ Result<Choice> choose_fill(const std::vector<BoundaryLoop>& loops, const Hole& h
     for (const Attempt& attempt : attempts_for(loops, hole, request, tolerance)) {
         if (request.progress.cancelled()) {
             return fail(ErrorCode::Cancelled, "stopped while filling");
+        }
+        if (automatic && attempt.slow && best && best->measured.score <= kNear) {
+            verdicts.push_back(attempt.name + ": not tried");
+            continue;
         }
         const auto start = Clock::now();
         auto fill = attempt.fill();

@@ -12,6 +12,7 @@ from program import (
     NOTHING,
     OUT_OF_TOLERANCE,
     PROGRAM,
+    USAGE,
     Case,
     example,
     run,
@@ -165,6 +166,33 @@ class Fill(Case):
         document = self.fill("box_without_lid", "--continuity", "G0")
         self.assertEqual(document["holes"][0]["continuity_requested"], "G0")
         self.assertTrue(document["holes"][0]["within_tolerance"])
+
+    def test_the_new_face_passes_through_given_points_and_edges(self):
+        points = self.folder / "points.csv"
+        points.write_text("x,y,z\n# the middle of the lid\n30, 20; 28\n")
+        document = self.fill("box_without_lid", "--continuity", "G0", "--through", points)
+        hole = document["holes"][0]
+        self.assertEqual(hole["method_used"], "mvs")
+        self.assertEqual(hole["points_through"], 1)
+        self.assertLess(hole["max_distance_through"], 1e-3)
+        self.assertTrue(document["valid"])
+        # A lid alone misses the point by its height.
+        flat = self.fill("box_without_lid", "--continuity", "G0", "--through", points, "--method",
+                         "plane", code=OUT_OF_TOLERANCE)["holes"][0]
+        self.assertAlmostEqual(flat["max_distance_through"], 3.0, places=9)
+        along = self.fill("box_without_lid", "--continuity", "G0", "--through-edges", 4)["holes"][0]
+        self.assertEqual(along["points_through"], 25)
+
+    def test_points_to_pass_are_refused_by_line_file_and_edge(self):
+        points = self.folder / "points.csv"
+        points.write_text("1,2,3\n1,2\n")
+        for words, text in ((("--through", points), "line 2 of"),
+                            (("--through", self.folder / "none.csv"), "cannot be read"),
+                            (("--through-edges", 999), "there is no edge 999")):
+            finished = run("fill", example("box_without_lid"), "-o", self.output, *words)
+            self.assertEqual(finished.code, USAGE, str(finished))
+            self.assertIn(text, finished.err)
+            self.assertFalse(self.output.exists())
 
     def test_mesh_output_is_measured_in_memory_and_says_so(self):
         self.output = self.folder / "out.stl"
