@@ -17,7 +17,7 @@
 #include <string>
 #include <vector>
 
-namespace CLI {
+namespace CLI {  // NOLINT: the library's name
 class App;
 }
 

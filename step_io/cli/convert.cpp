@@ -98,7 +98,7 @@ void add_mesh(CLI::App& app, MeshSettings& mesh) {
 
 Result<void> validate_mesh(const MeshSettings& mesh) {
     if (mesh.deflection) {
-        const Result<void> positive = expect_positive("--deflection", *mesh.deflection);
+        Result<void> positive = expect_positive("--deflection", *mesh.deflection);
         if (!positive) {
             return positive;
         }

@@ -5,7 +5,7 @@
 
 #include <optional>
 
-namespace CLI {
+namespace CLI {  // NOLINT: the library's name
 class App;
 }
 

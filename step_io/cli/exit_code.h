@@ -4,16 +4,14 @@
 
 namespace suture::cli {
 
-/// What the program's exit code says. Ended by SIGINT or SIGTERM: 130 or 143, as shells have it.
-enum ExitCode : int {
-    kDone = 0,
-    kUsage = 1,           ///< the command line makes no sense; nothing was touched
-    kUnreadable = 2,      ///< the input file cannot be read
-    kNothingToDo = 3,     ///< the model has no hole to fill
-    kOutOfTolerance = 4,  ///< done, but something is out of tolerance or was refused
-    kInternal = 5,        ///< a failure inside, or the output could not be written
-    kInterrupted = 130,
-};
+// What the program's exit code says. Ended by SIGINT or SIGTERM: 130 or 143, as shells have it.
+inline constexpr int kDone = 0;
+inline constexpr int kUsage = 1;           ///< the command line makes no sense; nothing was touched
+inline constexpr int kUnreadable = 2;      ///< the input file cannot be read
+inline constexpr int kNothingToDo = 3;     ///< the model has no hole to fill
+inline constexpr int kOutOfTolerance = 4;  ///< done, but something is out of tolerance or refused
+inline constexpr int kInternal = 5;        ///< a failure inside, or the output cannot be written
+inline constexpr int kInterrupted = 130;
 
 /// The exit code of a run that an error ended.
 [[nodiscard]] constexpr int exit_code(ErrorCode code) {

@@ -104,7 +104,7 @@ Result<void> validate_sewing(const LoadOptions& options) {
 }
 
 Result<void> validate_common(const Command& command) {
-    const Result<void> positive = expect_positive("--read-timeout", command.common.read_timeout);
+    Result<void> positive = expect_positive("--read-timeout", command.common.read_timeout);
     if (!positive) {
         return positive;
     }

@@ -42,12 +42,13 @@ constexpr double kAnglePart = 0.1;
 constexpr double kCurvaturePart = 0.25;
 // A level that brings the worst sample less than this factor nearer was the last one.
 constexpr double kProgress = 0.9;
-// So many levels in a row that bring nothing end it; the first, where half of the tolerance is met.
+// So many levels in a row that bring nothing end it; the first, where half of the tolerance is met
+// or the surface is far off.
 constexpr int kPatience = 3;
 constexpr double kGoodEnough = 0.5 / kAnglePart;
 
-int patience(double missed_by) {
-    return missed_by <= kGoodEnough ? 1 : kPatience;
+int patience(double missed_by, bool poor) {
+    return missed_by <= kGoodEnough || poor ? 1 : kPatience;
 }
 // Spans are halved where a sample misses its goal, and by this part of the worst miss.
 constexpr double kMarked = 0.3;
@@ -242,8 +243,8 @@ Result<Fairing> Levels::run() {
     Net best = net_;
     Domain best_domain = domain_;
     double least = missed_by_;
-    for (int level = 1, idle = 0; level < kLevels && missed_by_ > 1.0 && idle < patience(least);
-         ++level) {
+    for (int level = 1, idle = 0;
+         level < kLevels && missed_by_ > 1.0 && idle < patience(least, poor_); ++level) {
         options_.progress(static_cast<double>(level) / kLevels, "fairing");
         if (!refine()) {
             break;
