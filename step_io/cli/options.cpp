@@ -114,7 +114,7 @@ Result<void> validate_common(const Command& command) {
             return fail(ErrorCode::Usage, "--report {}: give it the ending .json or .html",
                         report.string());
         }
-        const auto writable = expect_writable("--report", report, command.input, /*force=*/false);
+        auto writable = expect_writable("--report", report, command.input, /*force=*/false);
         if (!writable) {
             return writable;
         }

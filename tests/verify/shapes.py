@@ -153,6 +153,11 @@ class Side:
             a, b, c = du.dot(du), du.dot(dv), dv.dot(dv)
             e, f = du.dot(rest), dv.dot(rest)
             move_u, move_v = (c * e - b * f) / (a * c - b * b), (a * f - b * e) / (a * c - b * b)
+            # At the surface's border the nearest point is the nearest on that border.
+            if self.inside(u + move_u, v)[0] == u:
+                move_u, move_v = 0.0, f / c
+            elif self.inside(u, v + move_v)[1] == v:
+                move_u, move_v = e / a, 0.0
             for _ in range(STEPS):
                 next_u, next_v = self.inside(u + move_u, v + move_v)
                 next_rest = point - self.surface.value(next_u, next_v)

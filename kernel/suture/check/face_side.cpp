@@ -35,7 +35,7 @@ constexpr double kLimitStep = 1e-4;
 constexpr double kLimitLength = 0.9;
 
 // Points of the edge at which the surface's knots that it passes are looked up.
-constexpr int kPieceSamples = 9;
+constexpr int kPieceSamples = 129;
 
 occ::Handle<Geom_Surface> untrimmed(occ::Handle<Geom_Surface> surface) {
     while (const auto trimmed = occ::cast<Geom_RectangularTrimmedSurface>(surface)) {
@@ -53,6 +53,17 @@ std::vector<double> intervals(const GeomAdaptor_Surface& surface, bool is_u, Geo
         surface.VIntervals(ends, order);
     }
     return {ends.begin(), ends.end()};
+}
+
+/// Where the surface's polynomial pieces end. OCCT calls a spline of class C4 CN, and counts one
+/// interval.
+std::vector<double> piece_ends(const GeomAdaptor_Surface& surface, bool is_u) {
+    if (surface.GetType() != GeomAbs_BSplineSurface) {
+        return intervals(surface, is_u, GeomAbs_CN);
+    }
+    const auto spline = surface.BSpline();
+    const TColStd_Array1OfReal& knots = is_u ? spline->UKnots() : spline->VKnots();
+    return {knots.begin(), knots.end()};
 }
 
 bool is_finite(double value) {
@@ -144,20 +155,25 @@ void FaceSide::count_pieces() {
     if (is_elementary() || !load_pcurve()) {
         return;
     }
-    std::array<double, 2> low = {Precision::Infinite(), Precision::Infinite()};
-    std::array<double, 2> high = {-Precision::Infinite(), -Precision::Infinite()};
+    std::array<std::vector<double>, 2> knots = {piece_ends(surface_, true),
+                                                piece_ends(surface_, false)};
+    std::array<double, 2> before = {};
     for (int i = 0; i < kPieceSamples; ++i) {
         const double s = static_cast<double>(i) / (kPieceSamples - 1);
         const gp_Pnt2d uv =
             pcurve_->Value(to_pcurve(range_.first + s * (range_.last - range_.first)));
-        low = {std::min(low[0], uv.X()), std::min(low[1], uv.Y())};
-        high = {std::max(high[0], uv.X()), std::max(high[1], uv.Y())};
+        const std::array<double, 2> now = {uv.X(), uv.Y()};
+        for (const std::size_t k : {0U, 1U}) {
+            for (const double knot : knots.at(k)) {
+                if (i > 0 && (before.at(k) < knot) != (now.at(k) < knot)) {
+                    const double t = (knot - before.at(k)) / (now.at(k) - before.at(k));
+                    passages_.push_back((i - 1 + t) / (kPieceSamples - 1));
+                }
+            }
+        }
+        before = now;
     }
-    for (const int k : {0, 1}) {
-        const auto knots = intervals(surface_, k == 0, GeomAbs_CN);
-        pieces_ += static_cast<int>(std::ranges::count_if(
-            knots, [&](double knot) { return low.at(k) < knot && knot < high.at(k); }));
-    }
+    pieces_ += static_cast<int>(passages_.size());
     if (surface_.GetType() == GeomAbs_BSplineSurface ||
         surface_.GetType() == GeomAbs_BezierSurface) {
         degree_ = std::max(surface_.UDegree(), surface_.VDegree());

@@ -42,6 +42,8 @@ class FaceSide {
 
     /// Polynomial pieces of the surface that the edge passes: how finely to sample.
     [[nodiscard]] int pieces() const { return pieces_; }
+    /// Where the edge passes from one piece to the next, as parts of its range; unordered.
+    [[nodiscard]] const std::vector<double>& passages() const { return passages_; }
     /// The highest degree of these: how many waves a piece may have.
     [[nodiscard]] int degree() const { return degree_; }
     /// The surface is a plane: everything along a straight edge is linear.
@@ -99,6 +101,7 @@ class FaceSide {
     EdgeRange pcurve_range_;
     std::optional<gp_Pnt2d> last_;  ///< parameters of the last point: the start without a pcurve
     int pieces_ = 1;
+    std::vector<double> passages_;
     int degree_ = 1;
 };
 

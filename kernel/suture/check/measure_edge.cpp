@@ -35,6 +35,10 @@ constexpr int kSamplesMost = 513;
 constexpr int kEndSteps = 3;
 constexpr int kEndDivisions = 4;
 
+// Pieces that the even division does not reach with so many points get them on their own, if they
+// are longer than this part of the edge: knots may crowd towards a corner.
+constexpr double kLeastPiece = 1e-5;
+
 // Where between two steps of the even division an inner sample lies: off the middle, so that it
 // does not fall on knots, which tend to lie at round parameters.
 constexpr double kOffset = 0.38;
@@ -154,6 +158,18 @@ std::vector<double> EdgeMeter::parameters() const {
                 for (int k = 1; k < kEndDivisions; ++k) {
                     fractions.push_back(low + step * k / kEndDivisions);
                 }
+            }
+        }
+        const double even = 1.0 / (count - 2);
+        std::vector<double> ends = {0.0, 1.0};
+        for (const FaceSide& side : sides_) {
+            ends.insert(ends.end(), side.passages().begin(), side.passages().end());
+        }
+        std::ranges::sort(ends);
+        for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
+            const double piece = ends[i + 1] - ends[i];
+            for (int k = 0; piece > kLeastPiece && piece < per_piece * even && k < per_piece; ++k) {
+                fractions.push_back(ends[i] + piece * (k + kOffset) / per_piece);
             }
         }
         std::ranges::sort(fractions);
