@@ -17,7 +17,7 @@ HEADER = """\
 
 Made by `cmake --preset bench && cmake --build --preset bench` (tests/bench); not edited by hand.
 
-{program}, {date}; {processor}, {cores} cores; medians of {runs} runs.
+{program}, {date}; {processor}, {cores} cores; median of {runs} run(s).
 
 - **fill s**: seconds within the fill method, with `auto` in all that it tried; **all s**: the whole
   process, from reading to measuring; **MB**: its largest process.
