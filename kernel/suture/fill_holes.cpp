@@ -84,12 +84,16 @@ void ask(Hole& hole, const FillRequest& request, HoleReport& report) {
 }
 
 /// The measures of the sides, their maxima, and what they amount to.
-void conclude(const std::vector<SideMeasure>& sides, const Tolerance& tolerance,
-              HoleReport& report) {
-    bool g1 = true;
-    bool g2 = true;
-    report.within_tolerance = true;
-    report.max_gap = report.max_angle = report.max_curvature_mismatch = 0.0;
+void conclude(const TrialMeasure& measured, const Tolerance& tolerance, HoleReport& report) {
+    const std::vector<SideMeasure>& sides = measured.sides;
+    const SideMeasure& inner = measured.inner;
+    bool g1 = score_of(inner, Continuity::G1, tolerance) <= 1.0;
+    bool g2 = score_of(inner, Continuity::G2, tolerance) <= 1.0;
+    report.within_tolerance = score_of(inner, report.continuity_requested, tolerance) <= 1.0;
+    report.max_gap = inner.gap;
+    report.max_angle = report.continuity_requested >= Continuity::G1 ? inner.angle : 0.0;
+    report.max_curvature_mismatch =
+        report.continuity_requested >= Continuity::G1 ? inner.curvature_mismatch : 0.0;
     for (std::size_t i = 0; i < sides.size(); ++i) {
         SideReport& side = report.sides[i];
         side.gap = sides[i].gap;
@@ -141,7 +145,7 @@ Result<std::vector<TopoDS_Face>> fill_one(const std::vector<BoundaryLoop>& loops
     for (const Patch& patch : choice->fill.patches) {
         report.patches.push_back(facts_of(patch));
     }
-    conclude(choice->measured.sides, tolerance, report);
+    conclude(choice->measured, tolerance, report);
     report.max_distance_through = choice->measured.through;
     report.within_tolerance =
         report.within_tolerance && report.max_distance_through <= tolerance.linear;
