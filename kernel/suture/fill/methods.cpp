@@ -1,3 +1,4 @@
+#include "suture/fill/algebraic.h"
 #include "suture/fill/extend.h"
 #include "suture/fill/fill.h"
 #include "suture/fill/mvs.h"
@@ -8,7 +9,7 @@
 namespace suture {
 
 std::span<const FillMethod> fill_methods() {
-    static constexpr std::array kMethods = {
+    static const std::array kMethods = {
         FillMethod{"extend", "Continues the surface on which all neighbours lie", "exact", "any",
                    Continuity::G2, &fill_extend},
         FillMethod{"plane", "Closes a planar loop by a plane", "exact", "any", Continuity::G0,
@@ -16,6 +17,10 @@ std::span<const FillMethod> fill_methods() {
         FillMethod{"mvs", "The surface whose curvature varies least, as one biquintic face",
                    "Moreton & Sequin, Functional optimization for fair surface design, 1992", "any",
                    Continuity::G2, &fill_mvs},
+        FillMethod{"algebraic", "Piecewise algebraic surfaces between algebraic neighbours",
+                   "Chen, Chen, Deng & Feng, Filling holes with piecewise algebraic surfaces, 2000",
+                   "3 and more", Continuity::G2, &fill_algebraic, algebraic_options(),
+                   /*in_auto=*/false},
     };
     return kMethods;
 }

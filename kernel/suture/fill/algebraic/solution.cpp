@@ -1,0 +1,328 @@
+#include "suture/fill/algebraic/solution.h"
+
+#include "suture/fill/algebraic/jets.h"
+#include "suture/fill/algebraic/member.h"
+#include "suture/fill/algebraic/space.h"
+
+#include <Eigen/LU>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace suture::algebraic {
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+
+/// The band around the guide in which the sheet has to be single, in units of the hole's radius.
+constexpr double kBand = 0.06;
+/// How often a sector is quartered into bands, and a band for its proof.
+constexpr int kQuarterings = 2;
+constexpr int kProofDepth = 3;
+/// How far Bernstein coefficients keep away from zero.
+constexpr double kMargin = 1e-6;
+/// A member this near to the guide is taken; else a higher degree may come nearer.
+constexpr double kNearGuide = 0.05;
+/// Beyond this the surface has little to do with the hole.
+constexpr double kFarFromGuide = 0.5;
+/// Degrees above the lowest possible one.
+constexpr int kMostRaised = 3;
+
+Point<double> as_point(const Vector3d& v) {
+    return {v.x(), v.y(), v.z()};
+}
+
+Vector3d direction(const Matrix3d& directions, const Vector3d& b) {
+    return directions * b;
+}
+
+/// Everything that depends on the partition but not on the degree.
+class Division {
+  public:
+    Division(const Problem& problem, const Partition& partition)
+        : problem_(problem), partition_(partition) {
+        std::vector<Point<double>> corners;
+        for (const UnitCurve& curve : problem.curves) {
+            corners.push_back(as_point(curve(0.0)));
+        }
+        const Point<double> centre = as_point(problem.view.centre);
+        const auto points = ray_points(partition, corners, as_point(problem.view.outer));
+        for (const Point<double>& p : points) {
+            rays_.emplace_back(Vector3d(p[0], p[1], p[2]) - problem.view.centre);
+        }
+        for (const Interface& i : partition.interfaces) {
+            Polynomial<double> plane =
+                plane_through(centre, points[static_cast<std::size_t>(i.from)],
+                              points[static_cast<std::size_t>(i.to)]);
+            const double length = coefficients(plane).tail<3>().norm();
+            planes_.push_back((1.0 / length) * plane);
+        }
+        locate_guide();
+        make_bands();
+    }
+
+    [[nodiscard]] const std::vector<Vector3d>& rays() const { return rays_; }
+    [[nodiscard]] const std::vector<Polynomial<double>>& planes() const { return planes_; }
+    [[nodiscard]] const std::vector<GuideSample>& guide() const { return guide_; }
+    [[nodiscard]] const std::vector<Band>& bands() const { return bands_; }
+
+  private:
+    const Problem& problem_;
+    const Partition& partition_;
+    std::vector<Vector3d> rays_;
+    std::vector<Polynomial<double>> planes_;
+    std::vector<GuideSample> guide_;
+    std::vector<std::vector<OnRay>> in_sector_;  ///< the guide's points in each sector
+    std::vector<Band> bands_;
+
+    /// Beyond the chord between its corners a side's sector goes on to the side itself.
+    static double depth_in(const Sector& sector, const Vector3d& b) {
+        return sector.side >= 0 ? std::min(b[0], b[1]) : b.minCoeff();
+    }
+
+    void locate_guide() {
+        in_sector_.resize(partition_.sectors.size());
+        for (const GuidePoint& g : problem_.guide) {
+            double most = -INFINITY;
+            std::size_t found = 0;
+            OnRay place;
+            for (std::size_t s = 0; s < partition_.sectors.size(); ++s) {
+                const Sector& sector = partition_.sectors[s];
+                const OnRay at =
+                    on_ray(directions_of(sector, rays_), g.point - problem_.view.centre);
+                const double depth = at.t > 0.0 ? depth_in(sector, at.b) : -INFINITY;
+                if (depth > most) {
+                    most = depth;
+                    found = s;
+                    place = at;
+                }
+            }
+            in_sector_[found].push_back(place);
+            guide_.push_back({partition_.sectors[found].cell, g.point, g.normal});
+        }
+    }
+
+    void make_bands() {
+        for (std::size_t s = 0; s < partition_.sectors.size(); ++s) {
+            Matrix3d directions = directions_of(partition_.sectors[s], rays_);
+            // A side that bulges beyond its chord: the triangle grows away from its apex.
+            double beyond = 0.0;
+            for (const OnRay& at : in_sector_[s]) {
+                beyond = std::max(beyond, -at.b[2]);
+            }
+            for (const int c : {0, 1}) {
+                directions.col(c) += beyond * (directions.col(c) - directions.col(2));
+            }
+            std::vector<Frustum> parts = {{problem_.view.centre, directions, 0.0, 0.0}};
+            for (int n = 0; n < kQuarterings; ++n) {
+                std::vector<Frustum> finer;
+                for (const Frustum& part : parts) {
+                    const auto quarters = quartered(part);
+                    finer.insert(finer.end(), quarters.begin(), quarters.end());
+                }
+                parts = finer;
+            }
+            for (const Frustum& part : parts) {
+                add_band(static_cast<int>(s), part);
+            }
+        }
+    }
+
+    void add_band(int s, Frustum part) {
+        // The guide's points in the triangle, or near it where there are none.
+        double low = INFINITY;
+        double high = -INFINITY;
+        double sum = 0.0;
+        int count = 0;
+        for (double reach = 0.1; count < 3 && reach < 10.0; reach *= 2.0) {
+            low = INFINITY;
+            high = -INFINITY;
+            sum = 0.0;
+            count = 0;
+            for (const GuidePoint& g : problem_.guide) {
+                const OnRay at = on_ray(part.directions, g.point - problem_.view.centre);
+                if (at.t > 0.0 && at.b.minCoeff() > -reach) {
+                    low = std::min(low, at.t);
+                    high = std::max(high, at.t);
+                    sum += at.t;
+                    ++count;
+                }
+            }
+        }
+        const double slack = kBand / direction(part.directions, Vector3d::Constant(1.0 / 3)).norm();
+        part.t0 = std::max(0.0, low - slack);
+        part.t1 = high + slack;
+        bands_.push_back({s, part, (sum / count - part.t0) / (part.t1 - part.t0)});
+    }
+};
+
+class Candidate {
+  public:
+    Candidate(const Problem& problem, const Partition& partition, const Division& division,
+              int degree, double rank_tolerance)
+        : problem_(problem), division_(division) {
+        solution_.partition = partition;
+        solution_.rays = division.rays();
+        solution_.degree = degree;
+        const System<double> system =
+            make_system(partition, problem.sides, division.planes(), problem.interface_k, degree);
+        space_ = solve(system, rank_tolerance);
+        solution_.rows = system.rows;
+        solution_.columns = system.columns;
+        solution_.rank = space_.rank;
+        solution_.dimension = space_.dimension;
+        solution_.polynomials = static_cast<int>(space_.basis.cols());
+    }
+
+    /// The best member, or why there is none.
+    Result<Solution> find() {
+        if (solution_.polynomials == 0) {
+            return fail(ErrorCode::Refused, "no solution");
+        }
+        const Member member(space_, division_.guide(), {});
+        take(member.best());
+        if (solution_.deviation > kFarFromGuide) {
+            return fail(ErrorCode::Refused, "no member near the hole ({:.2g} off)",
+                        solution_.deviation);
+        }
+        if (!prove_sheet()) {
+            const auto conditioned = member.best_under(conditions(), problem_.view.sign, kMargin);
+            if (!conditioned) {
+                return fail(ErrorCode::Refused, "no member with a provably single sheet");
+            }
+            take(*conditioned);
+            solution_.guided_only = false;
+            if (!prove_sheet()) {
+                return fail(ErrorCode::Refused, "the sheet could not be proven single");
+            }
+        }
+        return solution_;
+    }
+
+  private:
+    const Problem& problem_;
+    const Division& division_;
+    Space space_;
+    Solution solution_;
+
+    void take(const VectorXd& x) {
+        const VectorXd g = space_.basis * x;
+        solution_.cells =
+            split_cells(std::vector<double>(g.data(), g.data() + g.size()), solution_.degree);
+        double sum = 0.0;
+        for (const GuideSample& sample : division_.guide()) {
+            const ValueAndGradient at =
+                evaluate(solution_.cells[static_cast<std::size_t>(sample.cell)], sample.point);
+            sum += at.value * at.value + (at.gradient - sample.normal).squaredNorm();
+        }
+        solution_.deviation = std::sqrt(sum / static_cast<double>(division_.guide().size()));
+    }
+
+    [[nodiscard]] int cell_of(const Band& band) const {
+        return solution_.partition.sectors[static_cast<std::size_t>(band.sector)].cell;
+    }
+
+    bool prove_sheet() {
+        solution_.slope = INFINITY;
+        for (const Band& band : division_.bands()) {
+            const Proof proof = prove(solution_.cells[static_cast<std::size_t>(cell_of(band))],
+                                      band.frustum, problem_.view.sign, 0.0, kProofDepth);
+            if (!proof.single) {
+                return false;
+            }
+            solution_.slope = std::min(
+                solution_.slope, proof.slope / band.frustum.directions.colwise().norm().maxCoeff());
+        }
+        return true;
+    }
+
+    [[nodiscard]] std::vector<SheetCondition> conditions() const {
+        std::vector<SheetCondition> result;
+        for (const Band& band : division_.bands()) {
+            const int split =
+                std::clamp(static_cast<int>(std::lround(band.middle * solution_.degree)), 1,
+                           std::max(1, solution_.degree - 1));
+            result.push_back({cell_of(band), band.frustum, split});
+        }
+        return result;
+    }
+};
+
+}  // namespace
+
+OnRay on_ray(const Matrix3d& directions, const Vector3d& from_centre) {
+    const Vector3d raw = directions.partialPivLu().solve(from_centre);
+    const double t = raw.sum();
+    return {raw / t, t};
+}
+
+Matrix3d directions_of(const Sector& sector, const std::vector<Vector3d>& rays) {
+    Matrix3d directions;
+    for (int c = 0; c < 3; ++c) {
+        directions.col(c) =
+            rays[static_cast<std::size_t>(sector.rays[static_cast<std::size_t>(c)])];
+    }
+    return directions;
+}
+
+Result<Solution> find_solution(const Problem& problem, const Search& search,
+                               const Progress& progress) {
+    int lowest = problem.interface_k + 1;
+    for (const Side<double>& side : problem.sides) {
+        lowest = std::max({lowest, side.f.degree, side.k + 1});
+    }
+    const int n = static_cast<int>(problem.sides.size());
+    const Partition partitions[] = {umbrella(n), with_inner_cells(n)};
+    const Division divisions[] = {Division(problem, partitions[0]),
+                                  Division(problem, partitions[1])};
+    std::optional<Solution> best;
+    std::vector<std::string> tried;
+    const int from = search.degree.value_or(lowest);
+    const int to = search.degree.value_or(lowest + kMostRaised);
+    for (int degree = std::max(lowest, from); degree <= to; ++degree) {
+        for (const bool inner : {false, true}) {
+            if (search.inner_cells.value_or(inner) != inner) {
+                continue;
+            }
+            if (progress.cancelled()) {
+                return fail(ErrorCode::Cancelled, "stopped while filling");
+            }
+            const auto p = static_cast<std::size_t>(inner);
+            const std::string name =
+                fmt::format("degree {} in {} cells", degree, partitions[p].cells);
+            progress(static_cast<double>(degree - from) / (to - from + 1.0), name);
+            const auto found =
+                Candidate(problem, partitions[p], divisions[p], degree, search.rank_tolerance)
+                    .find();
+            if (!found) {
+                tried.push_back(fmt::format("{}: {}", name, found.error().message));
+                continue;
+            }
+            if (!best || found->deviation < best->deviation) {
+                if (best) {
+                    tried.push_back(fmt::format("degree {} in {} cells: {:.2g} off the guide",
+                                                best->degree, best->partition.cells,
+                                                best->deviation));
+                }
+                best = *found;
+            } else {
+                tried.push_back(fmt::format("{}: {:.2g} off the guide", name, found->deviation));
+            }
+            if (best->deviation <= kNearGuide) {
+                best->tried = tried;
+                return *best;
+            }
+        }
+    }
+    if (!best) {
+        return fail(ErrorCode::Refused, "no piecewise polynomial of degree {} to {} joins: {}",
+                    std::max(lowest, from), to, fmt::join(tried, "; "));
+    }
+    best->tried = tried;
+    return *best;
+}
+
+}  // namespace suture::algebraic

@@ -1,0 +1,229 @@
+#include "suture/fill/algebraic/member.h"
+
+#include "suture/fill/algebraic/jets.h"
+#include "suture/fill/algebraic/least_distance.h"
+
+#include <Eigen/Geometry>
+
+#include "kernel/core/algebraic/table_corner.h"
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace suture::algebraic {
+namespace {
+
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+
+/// The table corner in doubles, its centre at the origin.
+struct Corner {
+    Partition partition;
+    std::vector<Vector3d> rays;  ///< to the plane x + y + z = 0 of the paper
+    Space space;
+};
+
+std::array<Polynomial<Rational>, 3> from_centre() {
+    return {table::poly("x+1"), table::poly("y+1"), table::poly("z+1")};
+}
+
+Corner corner_of(const Partition& partition, int degree, int k = 1) {
+    std::vector<Side<double>> sides;
+    for (const Side<Rational>& side : table::sides(k)) {
+        sides.push_back({rounded(substitute(side.f, from_centre())),
+                         rounded(substitute(side.F, from_centre())), k});
+    }
+    std::vector<Polynomial<double>> planes;
+    for (const auto& plane : table::planes(partition)) {
+        planes.push_back(rounded(substitute(plane, from_centre())));
+    }
+    Corner corner{partition, {}, solve(make_system(partition, sides, planes, k, degree), 1e-11)};
+    for (const auto& p : ray_points(partition, table::kCorners, table::kOuter)) {
+        Vector3d ray;
+        for (std::size_t c = 0; c < 3; ++c) {
+            ray[static_cast<Eigen::Index>(c)] =
+                Rational(p[c] - table::kCentre[c]).convert_to<double>();
+        }
+        corner.rays.push_back(ray * (-3.0 / ray.sum()));
+    }
+    return corner;
+}
+
+template <class Visit>
+void for_each_ray(const Corner& corner, int divisions, const Visit& visit) {
+    for (const Sector& sector : corner.partition.sectors) {
+        for (int i = 0; i <= divisions; ++i) {
+            for (int j = 0; i + j <= divisions; ++j) {
+                const Vector3d b = Vector3d(i, j, divisions - i - j) / divisions;
+                Vector3d ray = Vector3d::Zero();
+                for (std::size_t c = 0; c < 3; ++c) {
+                    ray += b[static_cast<Eigen::Index>(c)] *
+                           corner.rays[static_cast<std::size_t>(sector.rays[c])];
+                }
+                visit(sector.cell, ray);
+            }
+        }
+    }
+}
+
+std::vector<GuideSample> sphere_guide(const Corner& corner) {
+    std::vector<GuideSample> guide;
+    for_each_ray(corner, 24, [&](int cell, const Vector3d& ray) {
+        guide.push_back({cell, ray.normalized(), ray.normalized()});
+    });
+    return guide;
+}
+
+std::vector<SheetCondition> tetrahedra(const Corner& corner, int split) {
+    std::vector<SheetCondition> conditions;
+    for (const Sector& sector : corner.partition.sectors) {
+        Frustum frustum{Vector3d::Zero(), {}, 0.0, 1.0};
+        for (int c = 0; c < 3; ++c) {
+            frustum.directions.col(c) =
+                corner.rays[static_cast<std::size_t>(sector.rays[static_cast<std::size_t>(c)])];
+        }
+        conditions.push_back({sector.cell, frustum, split});
+    }
+    return conditions;
+}
+
+std::vector<Polynomial<double>> cells_of(const Corner& corner, const VectorXd& x) {
+    const VectorXd g = corner.space.basis * x;
+    return split_cells(std::vector<double>(g.data(), g.data() + g.size()), corner.space.degree);
+}
+
+/// The first root on a ray, by scanning: the tests' own.
+double distance_on(const Polynomial<double>& g, const Vector3d& ray) {
+    const Vector3d u = ray.normalized();
+    constexpr int kSteps = 400;
+    double a = 0.5;
+    for (int n = 0; n < kSteps; ++n) {
+        const double b = 0.5 + (n + 1.0) / kSteps;
+        if ((evaluate(g, a * u).value < 0.0) != (evaluate(g, b * u).value < 0.0)) {
+            double lo = a;
+            double hi = b;
+            for (int step = 0; step < 60; ++step) {
+                const double m = 0.5 * (lo + hi);
+                ((evaluate(g, lo * u).value < 0.0) == (evaluate(g, m * u).value < 0.0) ? lo : hi) =
+                    m;
+            }
+            return 0.5 * (lo + hi);
+        }
+        a = b;
+    }
+    return NAN;
+}
+
+struct Extent {
+    double least = INFINITY, most = 0.0, diagonal = 0.0;
+};
+Extent extent_of(const Corner& corner, const std::vector<Polynomial<double>>& cells) {
+    Extent extent;
+    for_each_ray(corner, 24, [&](int cell, const Vector3d& ray) {
+        const double r = distance_on(cells[static_cast<std::size_t>(cell)], ray);
+        extent.least = std::min(extent.least, r);
+        extent.most = std::max(extent.most, r);
+    });
+    extent.diagonal = distance_on(cells.back(), Vector3d(-1.0, -1.0, -1.0));
+    return extent;
+}
+
+bool proven(const Corner& corner, const std::vector<Polynomial<double>>& cells, int split) {
+    const auto conditions = tetrahedra(corner, split);
+    return std::all_of(conditions.begin(), conditions.end(), [&](const SheetCondition& c) {
+        return prove(cells[static_cast<std::size_t>(c.cell)], c.frustum, 1.0, 0.0, 0).single;
+    });
+}
+
+/// methods.md, C.4: the figures depend on how the guide is sampled.
+constexpr double kShape = 2e-3;
+
+TEST(Member, FollowsASphereWithCubicsInSevenCells) {
+    const Corner corner = corner_of(with_inner_cells(3), 3);
+    EXPECT_EQ(corner.space.rank, 54);
+    const Member member(corner.space, sphere_guide(corner), {});
+    const auto cells = cells_of(corner, member.best());
+    const Extent extent = extent_of(corner, cells);
+    EXPECT_NEAR(extent.least, 0.98514, kShape);
+    EXPECT_NEAR(extent.most, 1.00965, kShape);
+    EXPECT_NEAR(extent.diagonal, 0.99707, kShape);
+    EXPECT_TRUE(proven(corner, cells, 2));  // single sheets without asking for them
+}
+
+TEST(Member, NeedsConditionsForASingleSheetOfQuartics) {
+    const Corner corner = corner_of(umbrella(3), 4);
+    EXPECT_EQ(corner.space.rank, 77);
+    EXPECT_EQ(corner.space.basis.cols(), 10);
+    const Member member(corner.space, sphere_guide(corner), {});
+    EXPECT_FALSE(proven(corner, cells_of(corner, member.best()), 3));
+    const auto x = member.best_under(tetrahedra(corner, 3), 1.0, 1e-6);
+    ASSERT_TRUE(x);
+    const auto cells = cells_of(corner, *x);
+    EXPECT_TRUE(proven(corner, cells, 3));
+    const Extent extent = extent_of(corner, cells);
+    EXPECT_NEAR(extent.least, 0.98320, kShape);
+    EXPECT_NEAR(extent.most, 1.00448, kShape);
+    EXPECT_NEAR(extent.diagonal, 0.99445, kShape);
+}
+
+TEST(Member, JoinsTheNeighboursAndItselfExactly) {
+    for (const int k : {0, 1, 2}) {
+        SCOPED_TRACE(k);
+        const Corner corner = corner_of(umbrella(3), k == 2 ? 5 : 4, k);
+        ASSERT_GT(corner.space.basis.cols(), 0);
+        const Member member(corner.space, sphere_guide(corner), {});
+        const auto cells = cells_of(corner, member.best());
+        for (std::size_t i = 0; i < 3; ++i) {
+            const Polynomial<double> f = rounded(substitute(table::sides()[i].f, from_centre()));
+            for (int n = 0; n <= 16; ++n) {
+                const double angle = 0.5 * M_PI * n / 16;
+                const Vector3d p = std::cos(angle) * corner.rays[i].normalized() +
+                                   std::sin(angle) * corner.rays[(i + 1) % 3].normalized();
+                const ValueAndGradient g = evaluate(cells[i], p);
+                EXPECT_NEAR(g.value, 0.0, 1e-12);
+                if (k > 0) {
+                    const Vector3d normal = evaluate(f, p).gradient.normalized();
+                    EXPECT_LT(g.gradient.cross(normal).norm(), 1e-11);
+                }
+            }
+        }
+    }
+}
+
+TEST(LeastDistance, FindsTheNearestPointOfAPolytope) {
+    Eigen::MatrixXd G(3, 2);
+    G << 1.0, 1.0, 1.0, 0.0, 0.0, 1.0;
+    const auto x = least_distance(G, VectorXd{{2.0, 0.5, 1.2}});
+    ASSERT_TRUE(x);
+    EXPECT_NEAR((*x)[0], 0.8, 1e-10);
+    EXPECT_NEAR((*x)[1], 1.2, 1e-10);
+    G.row(2) << -1.0, -1.0;
+    EXPECT_FALSE(least_distance(G, VectorXd{{2.0, 0.5, -1.0}}));
+}
+
+TEST(Frustum, ReproducesThePolynomialByDeCasteljau) {
+    const Polynomial<double> p = rounded(table::poly("x^3 - 2xyz + 5y^2 - z + 4 + z^3"));
+    Frustum frustum{Vector3d(0.3, -1.0, 2.0), {}, 0.5, 1.7};
+    frustum.directions << 1.0, 0.2, 0.0, 0.1, 1.4, -0.3, -0.2, 0.5, 0.9;
+    const VectorXd c = bernstein_map(frustum, 3) * coefficients(p);
+    const double tau = 0.3;
+    const Vector3d b(0.2, 0.5, 0.3);
+    double sum = 0.0;
+    const auto all = monomials(3);
+    const double in_t[] = {0.343, 3 * 0.49 * 0.3, 3 * 0.7 * 0.09, 0.027};
+    for (int m = 0; m < 4; ++m) {
+        for (int r = 0; r < layer_size(3); ++r) {
+            const Monomial& e = all[static_cast<std::size_t>(monomial_count(2) + r)];
+            const double weight =
+                6.0 / (std::tgamma(e.i + 1) * std::tgamma(e.j + 1) * std::tgamma(e.k + 1));
+            sum += c[m * layer_size(3) + r] * in_t[m] * weight * std::pow(b[0], e.i) *
+                   std::pow(b[1], e.j) * std::pow(b[2], e.k);
+        }
+    }
+    const double t = 0.5 + tau * 1.2;
+    EXPECT_NEAR(sum, evaluate(p, frustum.centre + t * (frustum.directions * b)).value, 1e-11);
+}
+
+}  // namespace
+}  // namespace suture::algebraic
