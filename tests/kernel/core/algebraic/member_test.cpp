@@ -136,8 +136,8 @@ bool proven(const Corner& corner, const std::vector<Polynomial<double>>& cells, 
     });
 }
 
-/// methods.md, C.4: the figures depend on how the guide is sampled.
-constexpr double kShape = 2e-3;
+/// The figures are an independent prototype's; they depend on how the guide is sampled.
+constexpr double kShape = 3e-3;
 
 TEST(Member, FollowsASphereWithCubicsInSevenCells) {
     const Corner corner = corner_of(with_inner_cells(3), 3);

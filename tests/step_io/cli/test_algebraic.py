@@ -1,0 +1,90 @@
+"""The method `algebraic` on models, and the command that takes polynomials."""
+
+import json
+import math
+import re
+import tempfile
+import unittest
+from fractions import Fraction
+from pathlib import Path
+
+from program import CAD, DONE, EXAMPLES, OUT_OF_TOLERANCE, UNREADABLE, USAGE, Case, example, run
+
+TABLE = EXAMPLES / "table_corner.json"
+
+
+def problem(folder, **changes):
+    file = Path(folder) / "problem.json"
+    file.write_text(json.dumps({**json.loads(TABLE.read_text()), **changes}))
+    return file
+
+
+class Problems(Case):
+    def setUp(self):
+        self.folder = tempfile.TemporaryDirectory()
+        self.addCleanup(self.folder.cleanup)
+
+    def solve(self, **changes):
+        return self.expect(run("algebraic", problem(self.folder.name, **changes), "--json"), DONE).json
+
+    def test_ranks_are_those_of_exact_arithmetic(self):
+        for degree, cells, rank, dimension in ((4, "axis", 77, 13), (3, "inner", 54, 6), (3, "axis", 35, 1)):
+            found = self.solve(degree=degree, cells=cells, sphere=1)
+            self.assertEqual((found["rank"], found["dimension"]), (rank, dimension))
+
+    def test_a_member_has_the_neighbours_planes_and_curves_exactly(self):
+        """On the circle at z = 1, in the cell at that side, at a rational point."""
+        cell = self.solve(degree=3, cells="axis", sphere=1)["cells"][2]["exact"]
+        t = Fraction(-2)
+        at = {"x": (1 + t) ** 2 / (1 + t * t), "y": 2 / (1 + t * t), "z": Fraction(1)}
+        text = re.sub(r"\d+/\d+|\b\d+\b(?=\*)", lambda number: f"F('{number[0]}')", cell)
+        self.assertEqual(eval(text.replace("^", "**"), {"F": Fraction, **at}), 0)
+
+    def test_mesh_and_value(self):
+        mesh = Path(self.folder.name) / "m.obj"
+        done = self.expect(
+            run("algebraic", TABLE, "--json", "--mesh", mesh, "--divisions", 8, "--at", "0.5,0.5,0.5"), DONE
+        )
+        self.assertTrue(done.json["at"]["inside"])
+        points = [list(map(float, line.split()[1:])) for line in mesh.read_text().splitlines() if line[:2] == "v "]
+        distances = [math.dist(p, (1, 1, 1)) for p in points]
+        self.assertGreater(min(distances), 0.95)
+        self.assertLess(max(distances), 1.03)
+
+    def test_refusals(self):
+        self.expect_refused(run("algebraic", "no_such.json"), UNREADABLE, "no_such.json")
+        for changes, text in (
+            ({"centre": [1, 1, 2]}, "plane 3 does not go through the centre"),
+            ({"k": -1}, "less than 0"),
+            ({"cells": "many"}, '"many"'),
+            ({"sides": []}, "at least 3"),
+        ):
+            self.expect_refused(run("algebraic", problem(self.folder.name, **changes)), USAGE, text)
+
+
+class Models(Case):
+    def fill(self, model, *words):
+        with tempfile.TemporaryDirectory() as folder:
+            out = Path(folder) / "out.step"
+            return run("fill", model, "-o", out, "--method", "algebraic", "--json", *words, timeout=280)
+
+    def test_suitcase_corner_becomes_a_closed_solid(self):
+        done = self.expect(self.fill(example("suitcase_corner")), DONE).json
+        self.assertTrue(done["closed"] and done["valid"])
+        for hole in done["holes"]:
+            self.assertEqual(hole["status"], "filled")
+            self.assertLess(hole["max_gap"], 1e-6 * 20)
+            self.assertLess(hole["max_angle_deg"], 0.01)
+            self.assertEqual(len(hole["patches"]), 3)
+
+    def test_freeform_neighbours_are_refused_with_the_reason(self):
+        file = CAD / "reopened" / "12_freeform_smoothstar.open.step"
+        if not file.exists():
+            self.skipTest(f"{file} is not there")
+        done = self.fill(file)
+        self.assertEqual(done.code, OUT_OF_TOLERANCE, str(done))
+        self.assertRegex(done.json["holes"][0]["reason"], r"edge \d+ \(face \d+\).*B-spline surface")
+
+
+if __name__ == "__main__":
+    unittest.main()
