@@ -65,9 +65,9 @@ class FilledShape(Stateless):
 class Request:
     """What one fill of one object is made of; the same key, the same result."""
 
-    def __init__(self, base, options):
+    def __init__(self, base, options, shape=None):
         self.base = base
-        self.shape = places.local_shape(base)
+        self.shape = shape or places.local_shape(base)
         self.options = options
 
     @classmethod
@@ -104,12 +104,9 @@ class Request:
         return tasks.FillHoles(self.shape, self.options)
 
 
-def make(base, request=None, filled=None, name="Filled"):
-    """A new object that fills holes of `base`, beside it; its properties still to be set.
-
-    With `request` and what the program `filled` for it, it need not be computed again.
-    """
-    obj = base.Document.addObject("Part::FeaturePython", name)
+def make(base):
+    """A new object that fills all holes of `base`, beside it, not yet computed."""
+    obj = base.Document.addObject("Part::FeaturePython", "Filled")
     FilledShape(obj)
     home = places.home_for_result(base)
     if home is not None:
@@ -120,15 +117,11 @@ def make(base, request=None, filled=None, name="Filled"):
         from .gui.view_provider import FilledShapeView
 
         FilledShapeView(obj.ViewObject)
-    if request is not None:
-        set_options(obj, request.options)
-        if filled is not None:
-            store(obj, request, filled)
     return obj
 
 
 def set_options(obj, options, through=()):
-    """Writes options into the properties; points that come from `through` stay references."""
+    """Writes options into the properties; the points of `through` come on top of options.points."""
     base = obj.Base[0]
     obj.Base = (base, [f"Edge{edge}" for edge in options.edges])
     _set_choice(obj, "Method", methods(), options.method)
@@ -139,8 +132,7 @@ def set_options(obj, options, through=()):
     obj.OneFace, obj.AllLoops = options.one_face, options.all_loops
     obj.Gap, obj.Angle, obj.Curvature = options.gap, options.angle, options.curvature
     obj.Through = list(through)
-    if not through:
-        obj.Points = [App.Vector(*point) for point in options.points]
+    obj.Points = [App.Vector(*point) for point in options.points]
 
 
 def store(obj, request, filled):

@@ -82,7 +82,7 @@ def selection(selected):
     found = {}
     for entry in selected:
         for sub in entry.SubElementNames or ("",):
-            obj, path, element = _resolve(entry.Object, sub)
+            obj, path, element = resolve(entry.Object, sub)
             if not has_shape(obj):
                 continue
             key = (obj.Document.Name, obj.Name, path)
@@ -94,7 +94,7 @@ def selection(selected):
     return list(found.values())
 
 
-def _resolve(top, sub):
+def resolve(top, sub):
     """The object that a sub-element name leads to, the way to it, and the element of it."""
     element = element_of(sub)
     names = sub.split(".")[:-1]

@@ -6,7 +6,7 @@ import io
 from collections import namedtuple
 
 from .compat import translate
-from .errors import SutureError, edges_named_in, in_freecads_words
+from .errors import SutureError, in_freecads_words
 
 FILLABLE = "hole"
 
@@ -16,7 +16,7 @@ Holes = namedtuple("Holes", "verdict holes sewn sewing_tolerance document")
 
 Side = namedtuple("Side", "edge face wanted reason gap angle curvature")
 HoleFill = namedtuple(
-    "HoleFill", "id ids status method wanted reached ok gap angle reason sides new_faces notes"
+    "HoleFill", "id ids status method wanted reached ok gap angle reason sides new_faces notes edges"
 )
 Fill = namedtuple("Fill", "verdict holes closed valid free_edges ok document")
 
@@ -105,6 +105,7 @@ def fill(document):
             ],
             [patch["face"] for patch in entry["patches"]],
             [in_freecads_words(note) for note in entry["notes"]],
+            [side["edge"] for side in entry["edges"]],
         )
         for entry in document["holes"]
     ]
@@ -124,7 +125,7 @@ def shortfall(report):
     lines = [report.verdict]
     for hole in report.holes:
         if hole.status == "refused":
-            edges = ", ".join(f"Edge{side.edge}" for side in hole.sides)
+            edges = ", ".join(f"Edge{edge}" for edge in hole.edges)
             at = f" ({edges})" if edges else ""
             lines.append(translate("Hole {}{} was refused: {}").format(hole.id, at, hole.reason))
         elif hole.ok is False:
@@ -141,11 +142,18 @@ def shortfall(report):
 
 def refusal(report):
     """The error for a fill that filled nothing; it knows the edges."""
-    edges = [
-        side.edge for hole in report.holes if hole.status == "refused" for side in hole.sides
-    ]
+    edges = [edge for hole in report.holes if hole.status == "refused" for edge in hole.edges]
     text = shortfall(report)
-    return SutureError(text, edges or edges_named_in(text))
+    return SutureError(text, edges)
+
+
+def with_edges(report, loops):
+    """The report with the edges of holes that were refused, whose sides the program leaves out."""
+    known = [
+        hole if hole.edges else hole._replace(edges=[e for id in hole.ids for e in loops.get(id, [])])
+        for hole in report.holes
+    ]
+    return report._replace(holes=known)
 
 
 @_checked

@@ -167,9 +167,11 @@ class FillHoles(Task):
         if self.options.points:
             arguments += ["--through", self._points_file()]
         report = reports.fill((yield arguments))
-        refused = [hole for hole in report.holes if hole.status == "refused"]
-        if refused and not any(hole.status == "filled" for hole in report.holes):
-            raise reports.refusal(report)
+        if any(hole.status == "refused" for hole in report.holes):
+            loops = reports.holes((yield ["inspect", source])).holes
+            report = reports.with_edges(report, {loop.id: loop.edges for loop in loops})
+            if not any(hole.status == "filled" for hole in report.holes):
+                raise reports.refusal(report)
         shape = exchange.read_shape(out)
         new = sorted(face for hole in report.holes for face in hole.new_faces)
         origins = exchange.face_origins(new, len(self.shape.Faces), len(shape.Faces))
