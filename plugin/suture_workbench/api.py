@@ -15,6 +15,7 @@ Every failure is a SutureError, whose text is a sentence and whose `edges` are t
 from pathlib import Path
 
 from . import exporter, feature, places, tasks, waiting
+from .compat import translate
 from .errors import NothingToDo, SutureError
 from .options import CheckOptions, FillOptions
 from .reports import FILLABLE
@@ -42,7 +43,7 @@ def edges_for(obj, edges=(), faces=()):
                 wanted.append(number)
     if not wanted:
         names = ", ".join(f"Face{face}" for face in faces)
-        raise SutureError(f"No hole lies beside {names}.")
+        raise SutureError(translate("No hole lies beside {}.").format(names))
     return wanted
 
 
@@ -55,20 +56,28 @@ def fill(obj, edges=(), faces=(), through=(), **options):
     """
     base = places.base_of(obj)
     chosen = FillOptions(edges_for(base, edges, faces), **options)
-    document = base.Document
-    document.openTransaction("Fill holes")
+    request = feature.Request(base, chosen.with_points(places.points_through(through, base)))
+    return keep(request, waiting.run(request.task()), chosen, through)
+
+
+def keep(request, filled, options, through=(), edited=None):
+    """Makes what was filled an object, or `edited` one, in one step of undo.
+
+    options   those of the request without the points of `through`
+    """
+    document = request.base.Document
+    document.openTransaction(translate("Fill holes"))
     try:
-        filled = feature.make(base)
-        feature.set_options(filled, chosen, through)
-        request = feature.Request.of(filled)
-        feature.store(filled, request, waiting.run(request.task()))
-        hide(base)
+        obj = edited or feature.make(request.base)
+        feature.set_options(obj, options, through)
+        feature.store(obj, request, filled)
+        hide(request.base)
         document.recompute()
     except BaseException:
         document.abortTransaction()
         raise
     document.commitTransaction()
-    return filled
+    return obj
 
 
 def hide(obj):

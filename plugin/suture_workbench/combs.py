@@ -48,9 +48,9 @@ def hairs(comb, scale):
 
 
 def good_scale(combs, size):
-    """A scale at which the longest hair is an eighth of `size`."""
+    """A scale at which the longest hair is a third of `size`."""
     longest = max((abs(k) for comb in combs for k in comb.curvatures), default=0.0)
-    return size / (8.0 * longest) if longest > 1e-12 else 1.0
+    return size / (3.0 * longest) if longest > 1e-12 else 1.0
 
 
 def faces_at(shape, number):

@@ -87,14 +87,14 @@ class Request:
                 for wanted in ("G0", "G1", "G2")
                 for edge in _edges_of(getattr(obj, "Edges" + wanted), base)
             },
-            points=[*obj.Points, *places.points_through(obj.Through, base)],
+            points=obj.Points,
             gap=obj.Gap.Value,
             angle=obj.Angle.Value,
             curvature=obj.Curvature,
             one_face=obj.OneFace,
             all_loops=obj.AllLoops,
         )
-        return cls(base, options)
+        return cls(base, options.with_points(places.points_through(obj.Through, base)))
 
     def key(self):
         text = exchange.fingerprint(self.shape) + self.options.key()

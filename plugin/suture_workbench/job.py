@@ -18,8 +18,8 @@ from .compat import translate
 from .errors import Cancelled, NothingToDo, ProgramMissing, SutureError, failure
 
 DONE, USAGE, UNREADABLE, NOTHING_TO_DO, OUT_OF_TOLERANCE = 0, 1, 2, 3, 4
-# The program itself takes up to 1.5 s to stop; what is left then is stopped by force.
-_GRACE_SECONDS = 1.7
+# The program itself stops what it does by force after as long.
+_GRACE_SECONDS = 1.5
 _running = weakref.WeakSet()
 
 

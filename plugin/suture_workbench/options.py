@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What a user can ask of a fill and of a check."""
 
+import copy
 import json
 
 from . import settings
@@ -32,6 +33,12 @@ class FillOptions:
         self.all_loops = more.pop("all_loops", False)
         if more:
             raise TypeError(f"no such option: {', '.join(more)}")
+
+    def with_points(self, points):
+        """The same with more points to pass through."""
+        more = copy.copy(self)
+        more.points = [*self.points, *(tuple(float(x) for x in point) for point in points)]
+        return more
 
     def named_edges(self):
         return list(dict.fromkeys([*self.edges, *self.sides]))

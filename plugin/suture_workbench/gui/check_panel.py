@@ -64,6 +64,7 @@ class CheckPanel(Panel):
         self._mark = overlay.Overlay(self.placement)
         self._legend = overlay.Overlay()
         self._watcher = Watcher(self._done, self._failed, self._advance)
+        Gui.Selection.clearSelection()  # its colour would hide those of the classes
         self._build()
         self.measure()
 
@@ -91,11 +92,11 @@ class CheckPanel(Panel):
         self.table.setHeaderLabels(
             [translate("Edge"), translate("Class"), translate("Gap"), translate("Angle"), translate("Curvature"), translate("Faces")]
         )
-        self.table.setMinimumHeight(220)
+        self.table.setMinimumHeight(200)
         self.table.itemSelectionChanged.connect(self._show_worst)
         self.legend = QtWidgets.QListWidget()
         self.legend.setObjectName("SutureLegend")
-        self.legend.setMaximumHeight(110)
+        self.legend.setMaximumHeight(80)
         self.legend.itemChanged.connect(self._tick_class)
         self.zebra = QtWidgets.QCheckBox(translate("Zebra stripes"))
         self.zebra.setObjectName("SutureZebraBox")

@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Fill holes: choose, see the result before it is made, OK."""
 
-import copy
-
 import FreeCAD as App
 import FreeCADGui as Gui
 
@@ -46,7 +44,7 @@ class FillPanel(Panel):
     @classmethod
     def edit(cls, obj):
         """The panel with what an object has; OK changes it."""
-        options = feature.Request.of(obj).options
+        options = feature.Request.of(obj).options  # its points are set from the object below
         base = obj.Base[0]
         chosen = set(options.edges)
         ticked = (lambda hole: bool(chosen & set(hole.edges))) if chosen else None
@@ -74,17 +72,22 @@ class FillPanel(Panel):
         self.preview.setChecked(settings.preview())
         self.status = Status(self._stop)
         self._drawing = overlay.Overlay(placement)
-        form = QtWidgets.QFormLayout()
-        form.addRow(translate("Method"), self.method)
-        form.addRow(translate("Continuity"), self.continuity)
-        form.addRow(translate("Gap"), self.gap)
-        form.addRow(translate("Angle"), self.angle)
-        form.addRow(translate("Curvature"), self.curvature)
+        choices, limits = QtWidgets.QHBoxLayout(), QtWidgets.QHBoxLayout()
+        for text, combo in (
+            (translate("Method"), self.method),
+            (translate("Continuity"), self.continuity),
+        ):
+            choices.addWidget(QtWidgets.QLabel(text))
+            choices.addWidget(combo, 1)
+        for box in (self.gap, self.angle, self.curvature):
+            limits.addWidget(box)
         self.layout.addWidget(heading(self.item.obj.Label))
-        for widget in (self.tree, self.sides):
-            self.layout.addWidget(widget)
-        self.layout.addLayout(form)
-        for widget in (self.one_face, self.through, self.preview, self.status):
+        self.tree.setFixedHeight(130)
+        self.sides.setFixedHeight(130)
+        self.layout.addWidget(self.tree)
+        self.layout.addLayout(choices)
+        self.layout.addLayout(limits)
+        for widget in (self.preview, self.status, self.sides, self.one_face, self.through):
             self.layout.addWidget(widget)
         self.tree.ticked_changed.connect(self._choose_sides)
         for signal in (
@@ -153,10 +156,8 @@ class FillPanel(Panel):
 
     def request(self):
         """What is to be computed, the points of references included."""
-        options = copy.copy(self.options())
-        references = places.points_through(self.through.references, self.item.obj)
-        options.points = [*options.points, *(tuple(point) for point in references)]
-        return feature.Request(self.item.obj, options, self.shape)
+        points = places.points_through(self.through.references, self.item.obj)
+        return feature.Request(self.item.obj, self.options().with_points(points), self.shape)
 
     # -- finding and preview
 
@@ -249,19 +250,8 @@ class FillPanel(Panel):
         return True
 
     def _commit(self, request, filled):
-        document = self.item.obj.Document
-        document.openTransaction(translate("Fill holes"))
-        try:
-            obj = self.edited or feature.make(self.item.obj)
-            feature.set_options(obj, self.options(), self.through.references)
-            feature.store(obj, request, filled)
-            obj.ViewObject.Visibility = True
-            api.hide(self.item.obj)
-            document.recompute()
-        except BaseException:
-            document.abortTransaction()
-            raise
-        document.commitTransaction()
+        obj = api.keep(request, filled, self.options(), self.through.references, self.edited)
+        obj.ViewObject.Visibility = True
         Gui.Selection.clearSelection()
         App.Console.PrintMessage(f"{obj.Label}: {filled.report.verdict}\n")
 

@@ -45,7 +45,7 @@ class HolesTree(QtWidgets.QTreeWidget):
             [translate("Hole"), translate("Kind"), translate("Sides"), translate("Size"), translate("Neighbours")]
         )
         self.setAlternatingRowColors(True)
-        self.setMinimumHeight(170)
+        self.setMinimumHeight(110)
         self.itemSelectionChanged.connect(self._show_selected)
         self.itemChanged.connect(lambda row, column: self.ticked_changed.emit())
 

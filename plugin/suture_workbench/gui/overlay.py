@@ -1,10 +1,13 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Drawings in the 3D view that belong to no document: outlines, previews, markers, zebra, combs."""
 
+import math
+
 import FreeCADGui as Gui
 from pivy import coin
 
 ORANGE = (0.98, 0.55, 0.10)
+_LETTERS, _SHADOW = (1.0, 1.0, 1.0), (0.0, 0.0, 0.0)
 
 
 class Overlay:
@@ -60,7 +63,7 @@ class Overlay:
         self._add(_flat(color), _coordinates([tuple(point) for point in points]), markers)
 
     def mesh(self, points, normals, triangles, color, transparency=0.0, stripes=None):
-        """Draws a shaded mesh; with `stripes` (a texture) as a mirror of them."""
+        """Draws a shaded mesh; with `stripes` it mirrors them."""
         material = coin.SoMaterial()
         material.diffuseColor = color
         material.transparency = transparency
@@ -77,7 +80,7 @@ class Overlay:
         faces.coordIndex.setValues(0, len(indices), indices)
         nodes = [material, hints, offset]
         if stripes is not None:
-            nodes += [stripes, coin.SoTextureCoordinateEnvironment()]
+            nodes.append(stripes)
         self._add(*nodes, _coordinates(points), normal, binding, faces)
 
     def legend(self, rows):
@@ -94,12 +97,22 @@ class Overlay:
         for node in (camera, depth, _flat((0, 0, 0)), font):
             layer.addChild(node)
         for row, (text, color) in enumerate(rows):
-            line = coin.SoSeparator()
             place = coin.SoTranslation()
-            place.translation = (-0.97, 0.9 - 0.06 * row, 0.0)
+            place.translation = (-0.96, 0.9 - 0.07 * row, 0.0)
+            swatch = coin.SoMarkerSet()
+            swatch.markerIndex = coin.SoMarkerSet.SQUARE_FILLED_9_9
+            gap = coin.SoTranslation()
+            gap.translation = (0.03, -0.015, 0.0)
             written = coin.SoText2()
             written.string = text
-            for node in (_flat(color), place, written):
+            line = coin.SoSeparator()
+            for node in (place, _flat(color), _coordinates([(0, 0, 0)]), swatch):
+                line.addChild(node)
+            shadow = coin.SoTranslation()
+            shadow.translation = (0.003, -0.004, 0.0)
+            back = coin.SoTranslation()
+            back.translation = (-0.003, 0.004, 0.0)
+            for node in (gap, shadow, _flat(_SHADOW), written, back, _flat(_LETTERS), written):
                 line.addChild(node)
             layer.addChild(line)
         self._body.addChild(layer)
@@ -124,23 +137,61 @@ def fineness(shape):
 def mesh_of(face, deflection):
     """(points, normals, triangles) of a face, with the surface's own normals."""
     points, triangles = face.tessellate(deflection)
-    nodes = face.getUVNodes()
-    if len(nodes) == len(points):
-        parameters = nodes
-    else:
-        parameters = [face.Surface.parameter(point) for point in points]
-    normals = [tuple(face.normalAt(u, v)) for u, v in parameters]
+    # The nodes' parameters come in another order: found again by place, else by projection.
+    digits = 3 - math.floor(math.log10(deflection))
+    parameters = {_rounded(face.valueAt(u, v), digits): (u, v) for u, v in face.getUVNodes()}
+    normals = []
+    for point in points:
+        u, v = parameters.get(_rounded(point, digits)) or face.Surface.parameter(point)
+        normals.append(tuple(face.normalAt(u, v)))
     return [tuple(point) for point in points], normals, triangles
 
 
-def stripes(count=24):
-    """Black and white stripes as an environment to be mirrored."""
-    width = 512
-    row = bytes(255 if (x * count // width) % 2 else 20 for x in range(width))
-    texture = coin.SoTexture2()
-    texture.image.setValue(coin.SbVec2s(width, 2), 1, row * 2)
-    texture.model = coin.SoTexture2.MODULATE
-    return texture
+def _rounded(point, digits):
+    return tuple(round(x, digits) for x in point)
+
+
+_VERTEX = """
+varying vec3 normal;
+varying vec3 place;
+void main() {
+    normal = gl_NormalMatrix * gl_Normal;
+    place = vec3(gl_ModelViewMatrix * gl_Vertex);
+    gl_Position = ftransform();
+}
+"""
+# Lines of light far away, mirrored: the angle between the mirrored view and the lines' plane, in
+# stripes. Exact at every pixel, so that a bend between two faces is theirs and not the mesh's.
+_FRAGMENT = """
+varying vec3 normal;
+varying vec3 place;
+uniform float stripes;
+void main() {
+    vec3 view = gl_ProjectionMatrix[3][3] > 0.5 ? vec3(0.0, 0.0, -1.0) : normalize(place);
+    vec3 n = normalize(normal);
+    vec3 mirrored = reflect(view, faceforward(n, view, n));
+    float phase = stripes * acos(clamp(mirrored.y, -1.0, 1.0));
+    float edge = max(fwidth(phase), 0.0001);
+    float white = smoothstep(-edge, edge, sin(phase));
+    float light = 0.75 + 0.25 * abs(dot(n, view));
+    gl_FragColor = vec4(vec3(light * mix(0.06, 1.0, white)), 1.0);
+}
+"""
+
+
+def stripes(count=14.0):
+    """A node that makes what follows it mirror stripes."""
+    program = coin.SoShaderProgram()
+    for position, (shader, text) in enumerate(
+        ((coin.SoVertexShader(), _VERTEX), (coin.SoFragmentShader(), _FRAGMENT))
+    ):
+        shader.sourceType = coin.SoShaderObject.GLSL_PROGRAM
+        shader.sourceProgram = text
+        program.shaderObject.set1Value(position, shader)
+    parameter = coin.SoShaderParameter1f()
+    parameter.name, parameter.value = "stripes", count
+    shader.parameter.set1Value(0, parameter)
+    return program
 
 
 def _coordinates(points):

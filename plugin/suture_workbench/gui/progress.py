@@ -86,32 +86,15 @@ def run_with_dialog(task):
 
 
 def _wait_in_dialog(task):
-    dialog = QtWidgets.QProgressDialog(Gui.getMainWindow())
-    dialog.setObjectName("SutureProgress")
-    dialog.setWindowTitle("Suture")
-    dialog.setLabelText(translate("Working…"))
-    dialog.setCancelButtonText(translate("Stop"))
-    dialog.setRange(0, 1000)
-    dialog.setWindowModality(QtCore.Qt.ApplicationModal)
-    dialog.setAutoClose(False)
-    dialog.setAutoReset(False)
-    dialog.setMinimumDuration(0)
+    dialog = _Dialog(task.cancel)
     loop = QtCore.QEventLoop()
 
     def poll():
-        if not task.running():
+        if task.running():
+            dialog.advance(*task.progress())
+        else:
             loop.quit()
-            return
-        fraction, stage = task.progress()
-        dialog.setValue(int(1000 * fraction))
-        if stage:
-            dialog.setLabelText(stage)
 
-    def stop():
-        dialog.setLabelText(translate("Stopping…"))
-        task.cancel()
-
-    dialog.canceled.connect(stop)
     timer = QtCore.QTimer()
     timer.timeout.connect(poll)
     timer.start(_POLL_MS)
@@ -120,7 +103,38 @@ def _wait_in_dialog(task):
         run_loop(loop)
     finally:
         timer.stop()
-        dialog.canceled.disconnect(stop)
-        dialog.close()
+        dialog.done(0)
         dialog.deleteLater()
         task.kill()
+
+
+class _Dialog(QtWidgets.QDialog):
+    """Stays until the task has ended: nobody may touch the document before."""
+
+    def __init__(self, stop):
+        super().__init__(Gui.getMainWindow())
+        self.setObjectName("SutureProgress")
+        self.setWindowTitle("Suture")
+        self.setWindowModality(QtCore.Qt.ApplicationModal)
+        self.setMinimumWidth(360)
+        self._stop, self._stopping = stop, False
+        self._label = QtWidgets.QLabel(translate("Working…"))
+        self._bar = QtWidgets.QProgressBar()
+        self._bar.setRange(0, 1000)
+        self._button = QtWidgets.QPushButton(translate("Stop"))
+        self._button.clicked.connect(self.reject)
+        layout = QtWidgets.QVBoxLayout(self)
+        for widget in (self._label, self._bar, self._button):
+            layout.addWidget(widget)
+
+    def advance(self, fraction, stage):
+        self._bar.setValue(int(1000 * fraction))
+        if stage and not self._stopping and stage != self._label.text():
+            self._label.setText(stage)
+
+    def reject(self):
+        """Esc, the window's cross, and the button."""
+        self._stopping = True
+        self._label.setText(translate("Stopping…"))
+        self._button.setEnabled(False)
+        self._stop()

@@ -21,7 +21,8 @@ def zebra_nodes(layer, shape):
 def comb_nodes(layer, shape, edges, stretch=1.0):
     """Draws the combs of both faces at each edge, one colour for each side."""
     found = combs.at_edges(shape, edges)
-    scale = stretch * combs.good_scale([comb for _, comb in found], shape.BoundBox.DiagonalLength)
+    longest = max((shape.Edges[number - 1].Length for number in edges), default=1.0)
+    scale = stretch * combs.good_scale([comb for _, comb in found], longest)
     sides = {}
     for number, comb in found:
         side = sides[number] = sides.get(number, -1) + 1

@@ -20,7 +20,7 @@ class SidesTable(QtWidgets.QTreeWidget):
         self.setHeaderLabels(
             [translate("Side"), translate("Joins"), translate("Gap"), translate("Angle"), translate("Curvature")]
         )
-        self.setMinimumHeight(130)
+        
         self.itemClicked.connect(self._select)
 
     def show_holes(self, holes):
@@ -29,8 +29,7 @@ class SidesTable(QtWidgets.QTreeWidget):
         for hole in holes:
             for edge in hole.edges:
                 self._add(edge)
-        for column in range(5):
-            self.resizeColumnToContents(column)
+        self._fit()
 
     def asked(self):
         """{edge: continuity} of the sides that do not follow the whole."""
@@ -49,6 +48,7 @@ class SidesTable(QtWidgets.QTreeWidget):
                 row.setText(4, _short(percent, "%"))
                 for column in range(5):
                     row.setToolTip(column, f"{side.wanted}: {side.reason}")
+        self._fit()
 
     def clear_measured(self):
         for index in range(self.topLevelItemCount()):
@@ -82,6 +82,10 @@ class SidesTable(QtWidgets.QTreeWidget):
             self.wanted[number] = CONTINUITIES[index]
         self.changed.emit()
 
+    def _fit(self):
+        for column in range(5):
+            self.resizeColumnToContents(column)
+
     def _row(self, edge):
         for index in range(self.topLevelItemCount()):
             row = self.topLevelItem(index)
@@ -96,4 +100,4 @@ class SidesTable(QtWidgets.QTreeWidget):
 
 
 def _short(value, unit):
-    return "" if value is None else f"{value:.2g} {unit}"
+    return "" if value is None else f"{value:.3g} {unit}"

@@ -49,31 +49,39 @@ class Status(QtWidgets.QWidget):
         row.addWidget(self.button)
         layout.addWidget(self.label)
         layout.addLayout(row)
-        self._busy(False)
+        self.bar.hide()
+        self.button.hide()
 
     def advance(self, fraction, stage):
         self._busy(True)
         self.bar.setValue(int(1000 * fraction))
-        self.label.setText(stage or translate("Working…"))
-        self.label.setStyleSheet("")
+        self._say(stage or translate("Working…"), "")
 
     def good(self, text):
-        self._say(text, "#2a7f2a")
+        self._end(text, "#2a7f2a")
 
     def bad(self, text):
-        self._say(text, "#b8461f")
+        self._end(text, "#b8461f")
 
     def plain(self, text):
-        self._say(text, "")
+        self._end(text, "")
+
+    def _end(self, text, color):
+        self._busy(False)
+        self._say(text, color)
 
     def _say(self, text, color):
-        self._busy(False)
-        self.label.setText(text)
-        self.label.setStyleSheet(f"color: {color};" if color else "")
+        # Only what changes: setting a style again costs a tenth of a second of layout each time.
+        if text != self.label.text():
+            self.label.setText(text)
+        style = f"color: {color};" if color else ""
+        if style != self.label.styleSheet():
+            self.label.setStyleSheet(style)
 
     def _busy(self, busy):
-        self.bar.setVisible(busy)
-        self.button.setVisible(busy)
+        if busy != self.button.isVisibleTo(self):
+            self.bar.setVisible(busy)
+            self.button.setVisible(busy)
 
 
 class Panel:

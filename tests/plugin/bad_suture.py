@@ -1,0 +1,56 @@
+#!/usr/bin/env python3
+"""Stands in for the program where a test needs one that behaves badly.
+
+Everything but `fill` goes to the real program, SUTURE_PROGRAM. SUTURE_BEHAVIOUR says what `fill`
+does: slow (takes a minute, and leaves a child behind that ignores SIGTERM, as it does itself),
+crash, garbage (no JSON), damaged (an output that is cut short), empty (JSON without its keys).
+"""
+
+import json
+import os
+import signal
+import subprocess
+import sys
+import time
+
+PROGRAM = os.environ["SUTURE_PROGRAM"]
+
+
+def slow():
+    signal.signal(signal.SIGTERM, signal.SIG_IGN)
+    subprocess.Popen(
+        [sys.executable, "-c", "import signal,time; signal.signal(15, signal.SIG_IGN); time.sleep(60)"]
+    )
+    for step in range(600):
+        said = {"progress": step / 600, "stage": "filling hole 1"}
+        print(json.dumps(said), file=sys.stderr, flush=True)
+        time.sleep(0.1)
+
+
+def damaged():
+    done = subprocess.run([PROGRAM, *sys.argv[1:]], check=False)
+    out = sys.argv[sys.argv.index("-o") + 1]
+    with open(out, "r+b") as file:
+        file.truncate(os.path.getsize(out) // 2)
+    sys.exit(done.returncode)
+
+
+def main():
+    behaviour = os.environ.get("SUTURE_BEHAVIOUR", "slow")
+    if sys.argv[1] != "fill":
+        os.execv(PROGRAM, [PROGRAM, *sys.argv[1:]])
+    if behaviour == "slow":
+        slow()
+    elif behaviour == "crash":
+        os.kill(os.getpid(), signal.SIGSEGV)
+    elif behaviour == "garbage":
+        print('{"schema": 1, "holes": [')
+    elif behaviour == "empty":
+        print('{"schema": 1, "exit_code": 0, "verdict": "all is well"}')
+    elif behaviour == "damaged":
+        damaged()
+    else:
+        sys.exit(f"no behaviour {behaviour}")
+
+
+main()

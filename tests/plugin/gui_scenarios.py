@@ -1,0 +1,248 @@
+"""What a user does in FreeCAD's window, one scenario a function; gui_driver.py carries them out."""
+
+import os
+import time
+from pathlib import Path
+
+import FreeCAD as App
+import FreeCADGui as Gui
+from PySide import QtGui
+
+OUT = Path(os.environ["SUTURE_OUT"])
+ROOT = Path(os.environ["SUTURE_SOURCE_DIR"])
+OK, CANCEL, CLOSE = (
+    QtGui.QDialogButtonBox.Ok,
+    QtGui.QDialogButtonBox.Cancel,
+    QtGui.QDialogButtonBox.Close,
+)
+
+
+def open_example(driver, name="suitcase_corner"):
+    Gui.activateWorkbench("SutureWorkbench")
+    import ImportGui
+
+    document = App.newDocument("Model")
+    ImportGui.insert(str(ROOT / "docs/examples" / f"{name}.step"), document.Name)
+    obj = document.Objects[-1]
+    obj.Label = name.replace("_", " ")
+    driver.look(1.1, 0.9, 0.8)
+    return document, obj
+
+
+def walk(driver):
+    """The whole way: open, find, fill with preview, OK, check, export. Takes the pictures of docs."""
+    document, obj = open_example(driver)
+    yield driver.pause(1.0)
+    driver.picture("1_open")
+
+    driver.tool("Suture_FindHoles")
+    yield driver.until("the holes", lambda: driver.there("SutureHoles") and driver.find("SutureFillTicked").isEnabled())
+    tree = driver.find("SutureHoles", QtGui.QTreeWidget)
+    row = tree.topLevelItem(0).child(0)
+    driver.said["row"] = [row.text(column) for column in range(5)]
+    driver.click_row(tree, row, 1)
+    yield driver.until("the edges", lambda: bool(Gui.Selection.getSelectionEx()))
+    driver.said["selected"] = list(Gui.Selection.getSelectionEx()[0].SubElementNames)
+    yield driver.pause(0.5)
+    driver.picture("2_holes")
+
+    driver.click(driver.find("SutureFillTicked"))
+    yield driver.until("the fill panel", lambda: driver.there("SutureMethod"))
+    method = driver.find("SutureMethod", QtGui.QComboBox)
+    method.setCurrentText("mvs")
+    yield driver.until("the preview", lambda: "within" in driver.status())
+    Gui.Selection.clearSelection()
+    yield driver.pause(0.5)
+    driver.said["preview"] = driver.status()
+    driver.said["objects_before"] = len(document.Objects)
+    driver.picture("3_preview")
+
+    driver.press(OK)
+    yield driver.until("the panel to close", lambda: not driver.dialog_open())
+    filled = document.getObject("Filled")
+    driver.said["solid"] = filled.Shape.ShapeType
+    driver.said["valid"] = filled.Shape.isValid()
+    driver.said["undo"] = document.UndoCount
+    driver.look(1.1, 0.9, 0.8)
+    yield driver.pause(0.5)
+    driver.picture("4_filled")
+
+    Gui.Selection.addSelection(filled)
+    driver.tool("Suture_Check")
+    yield driver.until("the check", lambda: driver.there("SutureEdges") and "pass" in driver.status())
+    driver.said["check"] = driver.status()
+    table = driver.find("SutureEdges", QtGui.QTreeWidget)
+    driver.said["rows"] = table.topLevelItemCount()
+    yield driver.pause(0.5)
+    driver.picture("5_check")
+    driver.click_row(table, table.topLevelItem(0), 1)
+    yield driver.until("the edge", lambda: bool(Gui.Selection.getSelectionEx()))
+    driver.click(driver.find("SutureCombsBox"))
+    yield driver.pause(0.7)
+    driver.picture("6_combs")
+    driver.click(driver.find("SutureCombsBox"))
+    yield driver.pause(0.3)
+    driver.click(driver.find("SutureZebraBox"))
+    yield driver.pause(0.5)
+    driver.said["zebra"] = driver.find("SutureZebraBox").isChecked()
+    driver.look(1.1, 0.9, 0.8)
+    yield driver.pause(0.7)
+    driver.picture("7_zebra")
+    driver.press(CLOSE)
+    yield driver.until("the panel to close", lambda: not driver.dialog_open())
+
+    from suture_workbench import export_step
+
+    export_step.export([filled], str(OUT / "filled.step"))
+    export_step.export([obj], str(OUT / "exported.step"))
+    driver.said["exported"] = (OUT / "exported.step").stat().st_size
+
+
+def idle(driver):
+    """How often the window ticks when it has nothing to do."""
+    before, began = driver.ticks, time.monotonic()
+    yield driver.pause(1.0)
+    driver.said["ticks_idle"] = (driver.ticks - before) / (time.monotonic() - began)
+
+
+def slow(driver):
+    """A fill that takes long: the window lives, Stop ends it within two seconds, nothing is left."""
+    open_example(driver)
+    yield driver.pause(0.5)
+    yield from idle(driver)
+    driver.tool("Suture_Fill")
+    yield driver.until("the run", lambda: driver.there("SutureStop"))
+    yield driver.until("the fill", lambda: "filling" in driver.status())
+    before, began = driver.ticks, time.monotonic()
+    yield driver.pause(2.0)
+    driver.said["ticks_per_second"] = (driver.ticks - before) / (time.monotonic() - began)
+    pids = descendants()
+    driver.said["processes_while_running"] = len(pids)
+    driver.picture("slow")
+    began = time.monotonic()
+    driver.click(driver.find("SutureStop"))
+    yield driver.until("the status", lambda: "Stopped" in driver.status())
+    driver.said["seconds_to_answer"] = time.monotonic() - began
+    yield driver.until("the end of the processes", lambda: not any(map(alive, pids)))
+    driver.said["seconds_to_stop"] = time.monotonic() - began
+    driver.press(CANCEL)
+    yield driver.until("the panel to close", lambda: not driver.dialog_open())
+    driver.said["objects"] = len(App.ActiveDocument.Objects)
+
+
+def slow_ok(driver):
+    """OK without a preview waits in a dialog; its Stop leaves the panel open and the model alone."""
+    open_example(driver)
+    yield driver.pause(0.5)
+    yield from idle(driver)
+    driver.tool("Suture_Fill")
+    yield driver.until("the holes", lambda: driver.there("SuturePreview"))
+    driver.find("SuturePreview", QtGui.QCheckBox).setChecked(False)
+    yield driver.until("the holes", lambda: "No preview" in driver.status())
+    driver.press(OK)
+    yield driver.until("the dialog", lambda: driver.there("SutureProgress"))
+    before, began = driver.ticks, time.monotonic()
+    yield driver.pause(2.0)
+    driver.said["ticks_per_second"] = (driver.ticks - before) / (time.monotonic() - began)
+    pids = descendants()
+    dialog = driver.find("SutureProgress")
+    began = time.monotonic()
+    driver.click(dialog.findChildren(QtGui.QPushButton)[0])
+    yield driver.until("the dialog to close", lambda: not driver.there("SutureProgress"))
+    driver.said["seconds_to_stop"] = time.monotonic() - began
+    driver.said["processes_while_running"] = len(pids)
+    driver.said["left"] = sum(map(alive, pids))
+    driver.said["panel_open"] = driver.dialog_open()
+    driver.said["objects"] = len(App.ActiveDocument.Objects)
+
+
+def descendants():
+    """The processes below this one (Linux)."""
+    parents = {}
+    for folder in Path("/proc").iterdir():
+        if folder.name.isdigit():
+            try:
+                fields = (folder / "stat").read_text().rpartition(")")[2].split()
+            except OSError:
+                continue
+            parents.setdefault(int(fields[1]), []).append(int(folder.name))
+    found, todo = [], [os.getpid()]
+    while todo:
+        children = parents.get(todo.pop(), [])
+        found += children
+        todo += children
+    return found
+
+
+def alive(pid):
+    try:
+        state = Path(f"/proc/{pid}/stat").read_text().rpartition(")")[2].split()[0]
+    except OSError:
+        return False
+    return state != "Z"
+
+
+def failures(driver):
+    """A refused hole: a sentence, its edges selected; a missing program: how to get it."""
+    document, obj = open_example(driver)
+    yield driver.pause(0.5)
+    driver.tool("Suture_Fill")
+    yield driver.until("the panel", lambda: driver.there("SutureMethod"))
+    driver.find("SutureMethod", QtGui.QComboBox).setCurrentText("extend")
+    yield driver.until("the refusal", lambda: "refused" in driver.status())
+    driver.said["refusal"] = driver.status()
+    driver.said["selected"] = list(Gui.Selection.getSelectionEx()[0].SubElementNames)
+    yield driver.pause(0.3)
+    driver.picture("refused")
+    App.ParamGet("User parameter:BaseApp/Preferences/Mod/Suture").SetString("Program", "/no/suture")
+    driver.find("SutureMethod", QtGui.QComboBox).setCurrentText("mvs")
+    yield driver.until("the sentence", lambda: "There is no program" in driver.status())
+    driver.said["missing"] = driver.status()
+    driver.press(OK)
+    yield driver.until("the box", lambda: driver.there("SutureFailure"))
+    driver.said["box"] = driver.find("SutureFailure", QtGui.QMessageBox).text()
+    driver.picture("missing")
+    driver.click(driver.find("SutureFailure").findChildren(QtGui.QPushButton)[0])
+    yield driver.until("the box to close", lambda: not driver.there("SutureFailure"))
+    driver.press(CANCEL)
+    yield driver.until("the panel to close", lambda: not driver.dialog_open())
+    driver.said["objects"] = len(document.Objects)
+
+
+def edit(driver):
+    """An edge picked in the view, the fill edited by a double click, undone and redone."""
+    document, obj = open_example(driver)
+    yield driver.pause(0.7)
+    edge = obj.Shape.Edges[8]
+    middle = edge.valueAt(sum(edge.ParameterRange) / 2)
+    driver.pick("Edge9", middle)
+    yield driver.until("the edge", lambda: bool(Gui.Selection.getSelectionEx()))
+    driver.said["picked"] = list(Gui.Selection.getSelectionEx()[0].SubElementNames)
+    driver.tool("Suture_Fill")
+    yield driver.until("the preview", lambda: driver.there("SutureStatus") and "within" in driver.status())
+    driver.press(OK)
+    yield driver.until("the panel to close", lambda: not driver.dialog_open())
+    filled = document.getObject("Filled")
+    driver.said["edges"] = list(filled.Base[1])
+    driver.said["hidden"] = not obj.ViewObject.Visibility
+    filled.ViewObject.Proxy.doubleClicked(filled.ViewObject)
+    yield driver.until("the preview", lambda: driver.there("SutureStatus") and "within" in driver.status())
+    combo = driver.find("SutureSide9", QtGui.QComboBox)
+    combo.setCurrentText("G0")
+    yield driver.until("a new preview", lambda: "within" not in driver.status())
+    yield driver.until("its end", lambda: "within" in driver.status())
+    driver.press(OK)
+    yield driver.until("the panel to close", lambda: not driver.dialog_open())
+    driver.said["sides"] = list(filled.EdgesG0[1])
+    driver.said["objects"] = len(document.Objects)
+    driver.said["visible"] = filled.ViewObject.Visibility and not obj.ViewObject.Visibility
+    Gui.runCommand("Std_Undo", 0)
+    yield driver.pause(0.3)
+    driver.said["sides_undone"] = filled.EdgesG0 is None or list(filled.EdgesG0[1])
+    Gui.runCommand("Std_Undo", 0)
+    yield driver.pause(0.3)
+    driver.said["objects_undone"] = len(document.Objects)
+    driver.said["base_back"] = obj.ViewObject.Visibility
+    Gui.runCommand("Std_Redo", 0)
+    yield driver.pause(0.3)
+    driver.said["objects_redone"] = len(document.Objects)
