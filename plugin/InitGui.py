@@ -10,11 +10,12 @@ class SutureWorkbench(FreeCADGui.Workbench):
     def __init__(self):
         from suture_workbench import RESOURCES
         from suture_workbench.compat import translate
+        from suture_workbench.gui.preferences_page import PreferencesPage
 
         FreeCADGui.addLanguagePath(str(RESOURCES / "translations"))
         FreeCADGui.updateLocale()
         FreeCADGui.addIconPath(str(RESOURCES / "icons"))
-        FreeCADGui.addPreferencePage(str(RESOURCES / "ui" / "preferences.ui"), "Suture")
+        FreeCADGui.addPreferencePage(PreferencesPage, "Suture")
         self.__class__.MenuText = "Suture"
         self.__class__.ToolTip = translate("Close holes with smooth faces, and check how smooth")
         self.__class__.Icon = str(RESOURCES / "icons" / "Suture.svg")

@@ -23,18 +23,22 @@ _BUNDLE_VARIABLES = (
 
 
 def candidates():
-    """Where the program may be, the user's choice first; an absolute path or None each."""
-    yield settings.program()
+    """Where the program may be unless the user says otherwise; an absolute path or None each."""
     yield os.environ.get("SUTURE_EXE")
     yield ADDON / "build" / "release" / "bin" / NAME  # what ./suture has built
     yield ADDON / "bin" / NAME
     yield shutil.which(NAME)
 
 
-def find():
-    """The program's path; ProgramMissing says how to get it."""
-    chosen = settings.program()
-    if chosen and not _runs(chosen):
+def find(chosen=None):
+    """The program's path; ProgramMissing says how to get it.
+
+    chosen   where the user says that it is, "" for the usual places; by default as in the preferences
+    """
+    chosen = settings.program() if chosen is None else chosen
+    if chosen and _runs(chosen):
+        return chosen
+    if chosen:
         raise ProgramMissing(
             translate(
                 "There is no program {}. Correct the path in Edit > Preferences > Suture, or clear "

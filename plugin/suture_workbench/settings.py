@@ -43,3 +43,15 @@ def preview():
 def time_limit():
     """Seconds after which a run is given up; 0: never."""
     return _group().GetInt("TimeLimit", 0)
+
+
+def save(program, gap, angle, curvature, method, preview, time_limit):
+    """Keeps what the page shows."""
+    group = _group()
+    group.SetString("Program", program)
+    group.SetFloat("Gap", gap)
+    group.SetFloat("Angle", angle)
+    group.SetFloat("Curvature", curvature)
+    group.SetString("Method", method)
+    group.SetBool("Preview", preview)
+    group.SetInt("TimeLimit", time_limit)

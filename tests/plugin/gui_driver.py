@@ -84,11 +84,11 @@ class Driver:
         box = tree.style().subElementRect(QtGui.QStyle.SE_ItemViewItemCheckIndicator, option, tree)
         self.click(tree.viewport(), box.center())
 
-    def press(self, standard_button):
-        """Presses OK, Cancel or Close of the task panel."""
-        for box in self.window.findChildren(QtGui.QDialogButtonBox):
-            button = box.button(standard_button)
-            if box.isVisible() and button is not None:
+    def press(self, standard_button, within=None):
+        """Presses OK, Cancel or Close of the task panel, or of another window."""
+        for box in (within or self.window).findChildren(QtGui.QDialogButtonBox):
+            button = box.button(standard_button) if box.isVisible() else None
+            if button is not None:
                 self.click(button)
                 return
         raise AssertionError("no such button")
@@ -103,6 +103,25 @@ class Driver:
                 self.click(button)
                 return
         raise AssertionError(f"no tool button {command}")
+
+    def choose_file(self, path, filter_word):
+        """Fills in FreeCAD's file dialog once it is open, as with the keyboard, and accepts."""
+        dialog = [w for w in QtGui.QApplication.topLevelWidgets() if isinstance(w, QtGui.QFileDialog) and w.isVisible()]
+        if not dialog:
+            return False
+        filters = [text for text in dialog[0].nameFilters() if filter_word in text]
+        dialog[0].selectNameFilter(filters[0])
+        dialog[0].filterSelected.emit(filters[0])
+        line = dialog[0].findChild(QtGui.QLineEdit)
+        line.setText(str(path))
+        QtGui.QApplication.postEvent(
+            line, QtGui.QKeyEvent(QtCore.QEvent.KeyPress, QtCore.Qt.Key_Return, QtCore.Qt.NoModifier)
+        )
+        return True
+
+    def later(self, action):
+        """Does something that opens a dialog of its own: this function returns before it is closed."""
+        QtCore.QTimer.singleShot(0, action)
 
     def dialog_open(self):
         return bool(Gui.Control.activeDialog())
@@ -140,6 +159,10 @@ class Driver:
     def picture(self, name):
         Gui.updateGui()
         self.window.screen().grabWindow(self.window.winId()).save(str(OUT / f"{name}.png"))
+
+    def picture_of_all(self, name):
+        """The whole screen, dialogs included."""
+        self.window.screen().grabWindow(0).save(str(OUT / f"{name}.png"))
 
 
 def tidy(driver):

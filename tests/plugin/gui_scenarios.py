@@ -91,11 +91,24 @@ def walk(driver):
     driver.press(CLOSE)
     yield driver.until("the panel to close", lambda: not driver.dialog_open())
 
-    from suture_workbench import export_step
+    Gui.Selection.clearSelection()
+    Gui.Selection.addSelection(filled)
+    yield from export(driver, OUT / "filled.step", "STEP with holes filled", "8_export")
+    Gui.Selection.clearSelection()
+    Gui.Selection.addSelection(obj)
+    yield from export(driver, OUT / "exported.step", "STEP with holes filled")
+    yield from export(driver, OUT / "exported.iges", "IGES with holes filled")
 
-    export_step.export([filled], str(OUT / "filled.step"))
-    export_step.export([obj], str(OUT / "exported.step"))
-    driver.said["exported"] = (OUT / "exported.step").stat().st_size
+
+def export(driver, path, kind, picture=None):
+    """File > Export of what is selected, through FreeCAD's own dialog."""
+    driver.later(lambda: Gui.runCommand("Std_Export", 0))
+    yield driver.pause(0.7)
+    if picture:
+        driver.picture_of_all(picture)
+    driver.choose_file(path, kind)
+    yield driver.until("the file", path.exists)
+    yield driver.pause(0.3)
 
 
 def idle(driver):
@@ -246,3 +259,108 @@ def edit(driver):
     Gui.runCommand("Std_Redo", 0)
     yield driver.pause(0.3)
     driver.said["objects_redone"] = len(document.Objects)
+
+
+def files(driver):
+    """The preferences page, and files converted on disk without opening them."""
+    import shutil
+
+    Gui.activateWorkbench("SutureWorkbench")
+    driver.later(lambda: Gui.showPreferences("Suture", 0))
+    yield driver.pause(1.5)
+    driver.said["found"] = driver.find("SutureProgramFound", QtGui.QLabel).text()
+    driver.picture_of_all("9_preferences")
+    path = driver.find("SutureProgramPath", QtGui.QLineEdit)
+    path.setText("/no/suture")
+    driver.said["not_found"] = driver.find("SutureProgramFound", QtGui.QLabel).text()
+    path.setText(os.environ["SUTURE_EXE"])
+    page = driver.find("SuturePreferences")
+    page.findChildren(QtGui.QComboBox)[0].setCurrentText("mvs")
+    driver.press(OK, page.window())
+    yield driver.until("the preferences to close", lambda: not driver.there("SuturePreferences"))
+    from suture_workbench import settings
+
+    driver.said["method"], driver.said["program"] = settings.method(), settings.program()
+
+    sources = []
+    for name in ("suitcase_corner", "box_without_lid"):
+        sources.append(OUT / f"{name}.step")
+        shutil.copyfile(ROOT / "docs/examples" / f"{name}.step", sources[-1])
+    broken = OUT / "broken.step"
+    broken.write_text("ISO-10303-21; nothing more", encoding="ascii")
+    driver.tool("Suture_Convert")
+    yield driver.until("the panel", lambda: driver.there("SutureFiles"))
+    panel = driver.find("ConvertPanel")
+    driver.later(lambda: driver.click(panel.findChildren(QtGui.QPushButton)[0]))
+    yield driver.pause(1.0)
+    driver.choose_file(" ".join(f'"{path}"' for path in [*sources, broken]), "Models")
+    yield driver.until("the list", lambda: driver.find("SutureFiles", QtGui.QListWidget).count() == 3)
+    driver.click(driver.find("SutureRunConvert"))
+    yield driver.until("the files", lambda: "written" in driver.status())
+    yield driver.pause(0.3)
+    driver.said["converted"] = driver.status()
+    driver.said["documents"] = len(App.listDocuments())
+    driver.picture("9_convert")
+    driver.press(CLOSE)
+    yield driver.until("the panel to close", lambda: not driver.dialog_open())
+
+
+def containers(driver):
+    """A coloured base in a placed Part: colours are kept, the loop is drawn where it stands."""
+    document, obj = open_example(driver)
+    part = document.addObject("App::Part", "Part")
+    part.addObject(obj)
+    part.Placement = App.Placement(App.Vector(100, 50, 20), App.Rotation(30, 0, 0))
+    colors = [(0.1 * index, 0.5, 1.0 - 0.1 * index, 0.0) for index in range(9)]
+    obj.ViewObject.DiffuseColor = colors
+    document.recompute()
+    driver.look(1.1, 0.9, 0.8)
+    yield driver.pause(0.5)
+    Gui.Selection.clearSelection()
+    Gui.Selection.addSelection(document.Name, "Part", f"{obj.Name}.Edge19")
+    driver.tool("Suture_Fill")
+    yield driver.until("the preview", lambda: driver.there("SutureStatus") and "within" in driver.status())
+    yield driver.pause(0.3)
+    driver.picture("part")
+    driver.press(OK)
+    yield driver.until("the panel to close", lambda: not driver.dialog_open())
+    filled = document.getObject("Filled")
+    driver.said["parent"] = filled.getParentGeoFeatureGroup().Name
+    driver.said["colors"] = [[round(x, 2) for x in color] for color in filled.ViewObject.DiffuseColor]
+    driver.said["wanted"] = [[round(x, 2) for x in color] for color in obj.ViewObject.DiffuseColor]
+    driver.said["plain"] = [round(x, 2) for x in obj.ViewObject.ShapeColor]
+    driver.look(1.1, 0.9, 0.8)
+    Gui.Selection.clearSelection()
+    yield driver.pause(0.3)
+    driver.picture("colors")
+
+
+def recompute(driver):
+    """A slow recompute shows a dialog, the window lives, Stop leaves the last shape."""
+    document, obj = open_example(driver)
+    yield driver.pause(0.5)
+    Gui.Selection.addSelection(obj)
+    driver.tool("Suture_Fill")
+    yield driver.until("the preview", lambda: driver.there("SutureStatus") and "within" in driver.status())
+    driver.press(OK)
+    yield driver.until("the panel to close", lambda: not driver.dialog_open())
+    filled = document.getObject("Filled")
+    volume = filled.Shape.Volume
+    os.environ["SUTURE_EXE"] = str(ROOT / "tests/plugin/bad_suture.py")
+    yield from idle(driver)
+    filled.Method = "mvs"
+    driver.later(document.recompute)
+    yield driver.until("the dialog", lambda: driver.there("SutureProgress"))
+    before, began = driver.ticks, time.monotonic()
+    yield driver.pause(2.0)
+    driver.said["ticks_per_second"] = (driver.ticks - before) / (time.monotonic() - began)
+    pids = descendants()
+    driver.picture_of_all("recompute")
+    began = time.monotonic()
+    driver.click(driver.find("SutureProgress").findChildren(QtGui.QPushButton)[0])
+    yield driver.until("the end of the processes", lambda: not any(map(alive, pids)))
+    driver.said["seconds_to_stop"] = time.monotonic() - began
+    yield driver.until("the dialog to close", lambda: not driver.there("SutureProgress"))
+    yield driver.pause(0.3)
+    driver.said["state"] = list(filled.State)
+    driver.said["kept"] = filled.Shape.Volume == volume

@@ -95,7 +95,7 @@ class Window(unittest.TestCase):
         self.assertEqual((said["solid"], said["valid"], said["undo"]), ("Solid", True, 1))
         self.assertEqual(said["rows"], 21)
         self.assertIn("all of 21 edges pass", said["check"])
-        for name in ("filled.step", "exported.step"):
+        for name in ("filled.step", "exported.step", "exported.iges"):
             done = subprocess.run(
                 [PROGRAM, "check", out / name, "--json"], capture_output=True, text=True, check=True
             )
@@ -140,6 +140,32 @@ class Window(unittest.TestCase):
         self.assertIn(said["sides_undone"], (True, []))
         self.assertEqual((said["objects_undone"], said["objects_redone"]), (1, 2))
         self.assertTrue(said["base_back"])
+
+    def test_preferences_are_kept_and_files_converted_on_disk(self):
+        said, out = carry_out("files")
+        self.assertIn(PROGRAM, said["found"])
+        self.assertIn("/no/suture", said["not_found"])
+        self.assertEqual((said["method"], said["program"]), ("mvs", PROGRAM))
+        self.assertIn("2 of 3 files written", said["converted"])
+        self.assertIn("broken.step:", said["converted"])
+        self.assertEqual(said["documents"], 0)
+        for name in ("suitcase_corner_filled.step", "box_without_lid_filled.step"):
+            done = subprocess.run(
+                [PROGRAM, "check", out / name, "--json"], capture_output=True, text=True, check=True
+            )
+            self.assertTrue(json.loads(done.stdout)["shape"]["closed"], name)
+
+    def test_colours_and_containers_are_kept(self):
+        said, _ = carry_out("containers")
+        self.assertEqual(said["parent"], "Part")
+        self.assertEqual(said["colors"], [*said["wanted"], said["plain"]])
+
+    def test_a_slow_recompute_can_be_stopped(self):
+        said, _ = carry_out("recompute")
+        self.assert_alive(said)
+        self.assertLess(said["seconds_to_stop"], STOPPED)
+        self.assertIn("Invalid", said["state"])
+        self.assertTrue(said["kept"])
 
 
 if __name__ == "__main__":

@@ -17,7 +17,7 @@ HOME = tempfile.TemporaryDirectory(prefix="suture-home-")
 os.environ["FREECAD_USER_HOME"] = HOME.name
 os.environ["SUTURE_EXE"] = PROGRAM
 # Plain Python does not know FreeCAD's home: Bodies need PartDesign's Python part.
-sys.path[:0] = ["/usr/lib/freecad-python3/lib", "/usr/share/freecad/Mod/PartDesign"]
+sys.path[:0] = ["/usr/lib/freecad-python3/lib", "/usr/share/freecad/Mod"]
 sys.path[:0] = [str(ROOT / "plugin"), str(HERE)]
 
 try:

@@ -99,9 +99,12 @@ def _wait_in_dialog(task):
     timer.timeout.connect(poll)
     timer.start(_POLL_MS)
     dialog.show()
+    application = QtWidgets.QApplication.instance()
+    application.installEventFilter(dialog)
     try:
         run_loop(loop)
     finally:
+        application.removeEventFilter(dialog)
         timer.stop()
         dialog.done(0)
         dialog.deleteLater()
@@ -131,6 +134,19 @@ class _Dialog(QtWidgets.QDialog):
         self._bar.setValue(int(1000 * fraction))
         if stage and not self._stopping and stage != self._label.text():
             self._label.setText(stage)
+
+    def eventFilter(self, watched, event):
+        """While FreeCAD recomputes, a filter of its own swallows every click and key; this one was
+        installed later, so it comes first, and lets those for the dialog through."""
+        kind = event.type()
+        if kind in (QtCore.QEvent.MouseButtonPress, QtCore.QEvent.MouseButtonRelease):
+            if watched is self._button or watched == self.windowHandle():
+                watched.event(event)
+                return True
+        if kind == QtCore.QEvent.KeyPress and event.key() == QtCore.Qt.Key_Escape:
+            self.reject()
+            return True
+        return False
 
     def reject(self):
         """Esc, the window's cross, and the button."""
