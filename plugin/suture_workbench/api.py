@@ -38,9 +38,9 @@ def edges_for(obj, edges=(), faces=()):
     wanted = list(edges)
     for hole in holes:
         if hole.kind == FILLABLE and set(hole.faces) & set(faces):
-            number = hole.edges[0] if found.edges is None else found.edges.get(hole.edges[0])
-            if number is not None and not set(hole.edges) & set(wanted):
-                wanted.append(number)
+            numbers = [number for number in map(found.number, hole.edges) if number]
+            if numbers and not set(numbers) & set(wanted):
+                wanted.append(numbers[0])
     if not wanted:
         names = ", ".join(f"Face{face}" for face in faces)
         raise SutureError(translate("No hole lies beside {}.").format(names))

@@ -19,6 +19,11 @@ def translate(text):
     return App.Qt.translate("Suture", text)
 
 
+def mark(text):
+    """`text` as it is, to be translated where it is shown."""
+    return text
+
+
 def as_int(flags):
     """Qt's flags as the int that FreeCAD's getStandardButtons takes."""
     return int(getattr(flags, "value", flags))

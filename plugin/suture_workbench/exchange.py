@@ -42,6 +42,13 @@ def read_shape(path):
     return shape
 
 
+def unwrapped(shape):
+    """The one shape in a compound of one; the numbers stay the same."""
+    while shape.ShapeType == "Compound" and len(shape.SubShapes) == 1:
+        shape = shape.SubShapes[0]
+    return shape
+
+
 def _damaged(reason):
     return translate("The shape that the program has written cannot be read: {}.").format(reason)
 

@@ -7,32 +7,146 @@ import json
 import FreeCAD as App
 
 from . import exchange, places, reports, tasks, waiting
-from .compat import Stateless, element_of, translate
+from .compat import Stateless, element_of, mark, translate
 from .errors import ProgramMissing, SutureError
 from .options import CONTINUITIES, FillOptions
 from .program import methods
 
 # name, type, group, tooltip, editor mode (0 shown, 1 read-only, 2 hidden)
 _PROPERTIES = [
-    ("Base", "App::PropertyLinkSubGlobal", "Fill", "The shape, and an edge of each hole to fill; no edge: all holes", 0),
-    ("Method", "App::PropertyEnumeration", "Fill", "The fill method; auto tries what applies and keeps the best", 0),
-    ("Continuity", "App::PropertyEnumeration", "Fill", "How the new faces join: G0 position, G1 tangent, G2 curvature", 0),
-    ("EdgesG0", "App::PropertyLinkSubGlobal", "Fill", "Edges that are to be met in position only", 0),
-    ("EdgesG1", "App::PropertyLinkSubGlobal", "Fill", "Edges that are to be met tangentially", 0),
-    ("EdgesG2", "App::PropertyLinkSubGlobal", "Fill", "Edges that are to be met with equal curvature", 0),
-    ("OneFace", "App::PropertyBool", "Fill", "The chosen loops bound one face: the others are islands in the first", 0),
-    ("AllLoops", "App::PropertyBool", "Fill", "Fill the rims of open sheets and doubtful loops too", 0),
-    ("Through", "App::PropertyLinkSubListGlobal", "Fill", "Vertices and edges that the new face passes through", 0),
-    ("Points", "App::PropertyVectorList", "Fill", "Points that the new face passes through, seen from the placement of the base", 0),
-    ("Gap", "App::PropertyLength", "Tolerances", "Largest gap", 0),
-    ("Angle", "App::PropertyAngle", "Tolerances", "Largest angle of tangent joins", 0),
-    ("Curvature", "App::PropertyFloat", "Tolerances", "Largest curvature mismatch of G2 joins in percent", 0),
-    ("Verdict", "App::PropertyString", "Result", "What came of it", 1),
-    ("Closed", "App::PropertyBool", "Result", "No free edge is left", 1),
-    ("WithinTolerance", "App::PropertyBool", "Result", "All holes are filled and meet the tolerances", 1),
-    ("NewFaces", "App::PropertyIntegerList", "Result", "The numbers of the new faces", 1),
-    ("Report", "App::PropertyString", "Result", "The whole report of the program (JSON)", 2),
-    ("InputKey", "App::PropertyString", "Result", "Tells whether the shape is up to date", 2),
+    (
+        "Base",
+        "App::PropertyLinkSubGlobal",
+        "Fill",
+        mark("The shape, and an edge of each hole to fill; no edge: all holes"),
+        0,
+    ),
+    (
+        "Method",
+        "App::PropertyEnumeration",
+        "Fill",
+        mark("The fill method; auto tries what applies and keeps the best"),
+        0,
+    ),
+    (
+        "Continuity",
+        "App::PropertyEnumeration",
+        "Fill",
+        mark("How the new faces join: G0 position, G1 tangent, G2 curvature"),
+        0,
+    ),
+    (
+        "EdgesG0",
+        "App::PropertyLinkSubGlobal",
+        "Fill",
+        mark("Edges that are to be met in position only"),
+        0,
+    ),
+    (
+        "EdgesG1",
+        "App::PropertyLinkSubGlobal",
+        "Fill",
+        mark("Edges that are to be met tangentially"),
+        0,
+    ),
+    (
+        "EdgesG2",
+        "App::PropertyLinkSubGlobal",
+        "Fill",
+        mark("Edges that are to be met with equal curvature"),
+        0,
+    ),
+    (
+        "OneFace",
+        "App::PropertyBool",
+        "Fill",
+        mark("The chosen loops bound one face: the others are islands in the first"),
+        0,
+    ),
+    (
+        "AllLoops",
+        "App::PropertyBool",
+        "Fill",
+        mark("Fill the rims of open sheets and doubtful loops too"),
+        0,
+    ),
+    (
+        "Through",
+        "App::PropertyLinkSubListGlobal",
+        "Fill",
+        mark("Vertices and edges that the new face passes through"),
+        0,
+    ),
+    (
+        "Points",
+        "App::PropertyVectorList",
+        "Fill",
+        mark("Points that the new face passes through, seen from the placement of the base"),
+        0,
+    ),
+    (
+        "Gap",
+        "App::PropertyLength",
+        "Tolerances",
+        mark("Largest gap"),
+        0,
+    ),
+    (
+        "Angle",
+        "App::PropertyAngle",
+        "Tolerances",
+        mark("Largest angle of tangent joins"),
+        0,
+    ),
+    (
+        "Curvature",
+        "App::PropertyFloat",
+        "Tolerances",
+        mark("Largest curvature mismatch of G2 joins in percent"),
+        0,
+    ),
+    (
+        "Verdict",
+        "App::PropertyString",
+        "Result",
+        mark("What came of it"),
+        1,
+    ),
+    (
+        "Closed",
+        "App::PropertyBool",
+        "Result",
+        mark("No free edge is left"),
+        1,
+    ),
+    (
+        "WithinTolerance",
+        "App::PropertyBool",
+        "Result",
+        mark("All holes are filled and meet the tolerances"),
+        1,
+    ),
+    (
+        "NewFaces",
+        "App::PropertyIntegerList",
+        "Result",
+        mark("The numbers of the new faces"),
+        1,
+    ),
+    (
+        "Report",
+        "App::PropertyString",
+        "Result",
+        mark("The whole report of the program (JSON)"),
+        2,
+    ),
+    (
+        "InputKey",
+        "App::PropertyString",
+        "Result",
+        mark("Tells whether the shape is up to date"),
+        2,
+    ),
 ]
 
 
@@ -158,7 +272,7 @@ def _place(obj, request):
 def _add_properties(obj):
     for name, kind, group, tip, mode in _PROPERTIES:
         if not hasattr(obj, name):
-            obj.addProperty(kind, name, group, App.Qt.translate("App::Property", tip))
+            obj.addProperty(kind, name, group, translate(tip))
             if name == "Method":
                 _set_choice(obj, name, methods(), "auto")
             elif name == "Continuity":

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The program's answers (docs/json.md) as objects. Needs no FreeCAD."""
+"""The program's answers (docs/json.md) as objects."""
 
 import csv
 import io

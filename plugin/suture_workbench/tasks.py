@@ -17,7 +17,15 @@ from .errors import SutureError
 from .job import Job
 
 Filled = namedtuple("Filled", "shape report new_faces origins")
-Found = namedtuple("Found", "report shape edges")
+
+
+class Found(namedtuple("Found", "report shape edges")):
+    """The loops of a shape. `shape` is what the report's numbers belong to: the shape itself, or, if
+    faces were loose, the sewn one; `edges` has the numbers in the shape itself then, else None."""
+
+    def number(self, edge):
+        """The shape's own number of an edge of the report; None if sewing has made it."""
+        return edge if self.edges is None else self.edges.get(edge)
 
 
 class Task:
@@ -132,8 +140,7 @@ class Task:
 
 
 class FindHoles(Task):
-    """The holes of a shape. Result   Found: the report, the shape that its numbers belong to (the
-    sewn one if faces were loose), and for each number there the number in the given shape."""
+    """The holes of a shape. Result   Found"""
 
     def __init__(self, shape):
         self.shape = shape
@@ -172,7 +179,7 @@ class FillHoles(Task):
             report = reports.with_edges(report, {loop.id: loop.edges for loop in loops})
             if not any(hole.status == "filled" for hole in report.holes):
                 raise reports.refusal(report)
-        shape = exchange.read_shape(out)
+        shape = exchange.unwrapped(exchange.read_shape(out))
         new = sorted(face for hole in report.holes for face in hole.new_faces)
         origins = exchange.face_origins(new, len(self.shape.Faces), len(shape.Faces))
         return Filled(shape, report, new, origins)

@@ -104,20 +104,22 @@ class Driver:
                 return
         raise AssertionError(f"no tool button {command}")
 
-    def choose_file(self, path, filter_word):
-        """Fills in FreeCAD's file dialog once it is open, as with the keyboard, and accepts."""
+    def choose_file(self, path, filter_word, picture=None):
+        """Fills in FreeCAD's file dialog, as with the keyboard, and accepts."""
         dialog = [w for w in QtGui.QApplication.topLevelWidgets() if isinstance(w, QtGui.QFileDialog) and w.isVisible()]
-        if not dialog:
-            return False
         filters = [text for text in dialog[0].nameFilters() if filter_word in text]
         dialog[0].selectNameFilter(filters[0])
         dialog[0].filterSelected.emit(filters[0])
         line = dialog[0].findChild(QtGui.QLineEdit)
         line.setText(str(path))
+        if picture:  # of what is filled in, without the list of somebody's files
+            line.setText(Path(path).name)
+            size = dialog[0].size()
+            dialog[0].grab(QtCore.QRect(0, size.height() - 70, size.width(), 70)).save(str(OUT / f"{picture}.png"))
+            line.setText(str(path))
         QtGui.QApplication.postEvent(
             line, QtGui.QKeyEvent(QtCore.QEvent.KeyPress, QtCore.Qt.Key_Return, QtCore.Qt.NoModifier)
         )
-        return True
 
     def later(self, action):
         """Does something that opens a dialog of its own: this function returns before it is closed."""

@@ -104,9 +104,7 @@ def export(driver, path, kind, picture=None):
     """File > Export of what is selected, through FreeCAD's own dialog."""
     driver.later(lambda: Gui.runCommand("Std_Export", 0))
     yield driver.pause(0.7)
-    if picture:
-        driver.picture_of_all(picture)
-    driver.choose_file(path, kind)
+    driver.choose_file(path, kind, picture)
     yield driver.until("the file", path.exists)
     yield driver.pause(0.3)
 
@@ -364,3 +362,24 @@ def recompute(driver):
     yield driver.pause(0.3)
     driver.said["state"] = list(filled.State)
     driver.said["kept"] = filled.Shape.Volume == volume
+
+
+def german(driver):
+    """The texts of the toolbar and of a panel in another language."""
+    open_example(driver)
+    yield driver.pause(0.5)
+    buttons = driver.window.findChildren(QtGui.QToolButton)
+    actions = [button.defaultAction() for button in buttons if button.defaultAction()]
+    driver.said["button"] = [a.text() for a in actions if a.objectName() == "Suture_FindHoles"][0]
+    driver.tool("Suture_Fill")
+    yield driver.until("the hole", lambda: driver.there("SutureHoles") and rows(driver))
+    driver.said["row"] = [rows(driver)[0].text(column) for column in range(3)]
+    boxes = driver.find("FillPanel").findChildren(QtGui.QDoubleSpinBox)
+    driver.said["gap"] = boxes[0].text()
+    driver.picture("german")
+
+
+def rows(driver):
+    """The rows of the first group of the list of holes."""
+    group = driver.find("SutureHoles", QtGui.QTreeWidget).topLevelItem(0)
+    return [group.child(index) for index in range(group.childCount())] if group else []

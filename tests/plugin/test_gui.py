@@ -27,22 +27,23 @@ STOPPED = 2.0  # seconds in which a run has to end with all its processes
 USER_CFG = """<?xml version="1.0" encoding="UTF-8"?>
 <FCParameters><FCParamGroup Name="Root"><FCParamGroup Name="BaseApp"><FCParamGroup Name="Preferences">
 <FCParamGroup Name="General"><FCText Name="AutoloadModule">PartWorkbench</FCText>
-<FCBool Name="ShowSplasher" Value="0"/></FCParamGroup>
+<FCText Name="Language">LANGUAGE</FCText><FCBool Name="ShowSplasher" Value="0"/></FCParamGroup>
 <FCParamGroup Name="Addons"><FCBool Name="AutoCheck" Value="0"/></FCParamGroup>
 <FCParamGroup Name="Mod"><FCParamGroup Name="Start"><FCBool Name="ShowOnStartup" Value="0"/></FCParamGroup>
 </FCParamGroup></FCParamGroup></FCParamGroup></FCParamGroup></FCParameters>
 """
 
 
-def home_with_addon(folder):
+def home_with_addon(folder, language):
     """A home for FreeCAD in which the repository is linked as an addon, under another name."""
     (folder / "Mod").mkdir(parents=True)
     (folder / "Mod" / "SutureByLink").symlink_to(ROOT)
-    (folder / "user.cfg").write_text(USER_CFG, encoding="utf-8")
+    text = USER_CFG.replace("LANGUAGE", language)
+    (folder / "user.cfg").write_text(text, encoding="utf-8")
     return folder
 
 
-def carry_out(scenario, **environment):
+def carry_out(scenario, language="English", **environment):
     """Runs a scenario. Result   what it said, and the folder with its pictures"""
     out = Path(os.environ.get("SUTURE_PICTURES") or BUILD / "tests/plugin/pictures") / scenario
     shutil.rmtree(out, ignore_errors=True)
@@ -53,7 +54,7 @@ def carry_out(scenario, **environment):
             command,
             env=os.environ
             | {
-                "FREECAD_USER_HOME": str(home_with_addon(Path(folder) / "home")),
+                "FREECAD_USER_HOME": str(home_with_addon(Path(folder) / "home", language)),
                 "SUTURE_SCENARIO": scenario,
                 "SUTURE_OUT": str(out),
                 "SUTURE_EXE": PROGRAM,
@@ -166,6 +167,12 @@ class Window(unittest.TestCase):
         self.assertLess(said["seconds_to_stop"], STOPPED)
         self.assertIn("Invalid", said["state"])
         self.assertTrue(said["kept"])
+
+    def test_it_speaks_german_where_freecad_does(self):
+        said, _ = carry_out("german", language="German")
+        self.assertEqual(said["button"], "Löcher finden…")
+        self.assertEqual(said["row"], ["Loch 1", "Loch", "3"])
+        self.assertEqual(said["gap"], "0.001 mm")
 
 
 if __name__ == "__main__":

@@ -153,6 +153,20 @@ class Commands(Case):
         points = [base.Shape.Edges[edge - 1].CenterOfMass for edge in hole.edges]
         return base.Placement.inverse().multVec(sum(points, App.Vector()) * (1 / len(points)))
 
+    def test_loops_of_one_face_are_filled_together(self):
+        box, pillar = Part.makeBox(40, 40, 10), Part.makeCylinder(5, 10, App.Vector(20, 20, 10))
+        solid = box.fuse(pillar).removeSplitter()
+        ring = 1600 - 25 * 3.141592653589793
+        kept = [face for face in solid.Faces if abs(face.Area - ring) > 1]
+        base = self.add(Part.makeCompound(kept))
+        found = api.find_holes(base)
+        edges = [found.number(hole.edges[0]) for hole in found.report.holes]
+        self.assertEqual(len(edges), 2)
+        filled = api.fill(base, edges=edges, one_face=True)
+        self.assertEqual((filled.Shape.ShapeType, len(filled.NewFaces)), ("Solid", 1))
+        self.assertAlmostEqual(filled.Shape.Faces[filled.NewFaces[0] - 1].Area, ring, delta=1e-4)
+        self.assertAlmostEqual(filled.Shape.Volume, solid.Volume, delta=1e-3)
+
     def test_check_can_be_told_profile_limits_and_edges(self):
         solid = self.add(api.fill(self.add(example())).Shape)
         report = api.check(solid, profile="vda4955", edges=[21, 9])

@@ -5,8 +5,9 @@ import FreeCAD as App
 import FreeCADGui as Gui
 
 from .. import RESOURCES
-from ..compat import translate
+from ..compat import mark, translate
 from ..errors import SutureError
+from ..feature import FilledShape
 from . import failures, pick
 
 
@@ -59,9 +60,8 @@ def fill():
     from .fill_panel import FillPanel
 
     item = _target()
-    if getattr(getattr(item.obj, "Proxy", None), "__class__", None).__name__ == "FilledShape" and not (
-        item.edges or item.faces
-    ):
+    filled = isinstance(getattr(item.obj, "Proxy", None), FilledShape)
+    if filled and not (item.edges or item.faces):
         item.obj.ViewObject.Proxy.setEdit(item.obj.ViewObject)
         return
     _open(lambda: FillPanel(item))
@@ -96,14 +96,56 @@ def _document():
     return App.ActiveDocument is not None
 
 
-# translate() is called where they are shown; here only marked by tests/plugin's extraction.
+# name, text, tip, keys, action, when it can be used
 _COMMANDS = [
-    ("Suture_FindHoles", "Find holes…", "List the holes of a shape, show them, choose which to fill", "S, H", find_holes, _document),
-    ("Suture_Fill", "Fill holes…", "Fill holes with smooth faces: of the selected edges or faces, or all of the shape", "S, F", fill, _document),
-    ("Suture_Check", "Check continuity…", "Measure how smoothly the faces of a shape meet: gap, angle and curvature along every edge", "S, C", check, _document),
-    ("Suture_Zebra", "Zebra stripes", "Show reflection stripes on the selected shape, or take them away", "S, Z", zebra, _document),
-    ("Suture_Combs", "Curvature combs", "Show how both faces bend at the selected edges, or take the combs away", "S, K", combs, _document),
-    ("Suture_Convert", "Convert files…", "Fill the holes of files on disk, or convert them, without opening them", "S, V", convert, lambda: True),
+    (
+        "Suture_FindHoles",
+        mark("Find holes…"),
+        mark("List the holes of a shape, show them, choose which to fill"),
+        "S, H",
+        find_holes,
+        _document,
+    ),
+    (
+        "Suture_Fill",
+        mark("Fill holes…"),
+        mark("Fill holes with smooth faces: at the selected edges or faces, or all of the shape"),
+        "S, F",
+        fill,
+        _document,
+    ),
+    (
+        "Suture_Check",
+        mark("Check continuity…"),
+        mark("Measure gap, angle and curvature along every edge of a shape"),
+        "S, C",
+        check,
+        _document,
+    ),
+    (
+        "Suture_Zebra",
+        mark("Zebra stripes"),
+        mark("Show reflected stripes on the selected shape, or take them away"),
+        "S, Z",
+        zebra,
+        _document,
+    ),
+    (
+        "Suture_Combs",
+        mark("Curvature combs"),
+        mark("Show how both faces bend at the selected edges, or take the combs away"),
+        "S, K",
+        combs,
+        _document,
+    ),
+    (
+        "Suture_Convert",
+        mark("Convert files…"),
+        mark("Fill the holes of files on disk, or convert them, without opening them"),
+        "S, V",
+        convert,
+        lambda: True,
+    ),
 ]
 NAMES = [command[0] for command in _COMMANDS]
 

@@ -173,8 +173,8 @@ class FillPanel(Panel):
 
     def _touches_selection(self, found):
         def touches(hole):
-            numbers = hole.edges if found.edges is None else map(found.edges.get, hole.edges)
-            return bool(set(numbers) & set(self.item.edges) or set(hole.faces) & set(self.item.faces))
+            numbers = set(map(found.number, hole.edges))
+            return bool(numbers & set(self.item.edges) or set(hole.faces) & set(self.item.faces))
 
         return touches
 

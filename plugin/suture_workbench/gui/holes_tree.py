@@ -79,7 +79,7 @@ class HolesTree(QtWidgets.QTreeWidget):
 
     def number(self, edge):
         """FreeCAD's number of an edge of the report; None for one that faces sewn have lost."""
-        return edge if self._found.edges is None else self._found.edges.get(edge)
+        return self._found.number(edge)
 
     def name(self, edge):
         number = self.number(edge)

@@ -25,7 +25,8 @@ class Tolerance(QtWidgets.QDoubleSpinBox):
     """A spin box that shows as many digits as there are."""
 
     def textFromValue(self, value):
-        return self.locale().toString(value, "g", 6)
+        text = self.locale().toString(value, "f", self.decimals())
+        return text.rstrip("0").rstrip(self.locale().decimalPoint())
 
 
 class Status(QtWidgets.QWidget):
