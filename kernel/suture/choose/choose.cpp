@@ -206,7 +206,7 @@ Result<Choice> choose_fill(const std::vector<BoundaryLoop>& loops, const Hole& h
         }
         const Rank rank = rank_of(*measured, hole, tolerance);
         verdicts.push_back(verdict(attempt.name, *measured, rank));
-        if (rank.wild || (automatic && rank.hopeless())) {
+        if (rank.wild || (request.method != "occt" && rank.hopeless())) {
             verdicts.back() += ", not taken";
             continue;
         }
