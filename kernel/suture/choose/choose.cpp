@@ -50,10 +50,11 @@ std::vector<Attempt> attempts_for(const std::vector<BoundaryLoop>& loops, const 
     const bool automatic = request.method == "auto";
     std::vector<Attempt> attempts;
     for (const FillMethod& method : fill_methods()) {
-        if (automatic || request.method == method.id) {
-            attempts.push_back({std::string(method.id), [&, method] {
-                                    return method.fill(hole, {tolerance, request.progress});
-                                }});
+        if (automatic ? method.in_auto : request.method == method.id) {
+            attempts.push_back(
+                {std::string(method.id), [&, method] {
+                     return method.fill(hole, {tolerance, request.progress, request.options});
+                 }});
         }
     }
     if (automatic && position_only(hole)) {
@@ -166,8 +167,15 @@ Result<void> validate_method(const std::string& method) {
                 known);
 }
 
+std::span<const MethodOption> options_of(std::string_view method) {
+    const auto rows = fill_methods();
+    const auto row =
+        std::find_if(rows.begin(), rows.end(), [&](const FillMethod& m) { return m.id == method; });
+    return row == rows.end() ? std::span<const MethodOption>() : row->options;
+}
+
 Result<Choice> choose_fill(const std::vector<BoundaryLoop>& loops, const Hole& hole,
-                           const FillRequest& request, const Tolerance& tolerance) {
+                           const FillRequest& request, const Tolerance& tolerance, Effort effort) {
     const bool automatic = request.method == "auto";
     std::optional<Choice> best;
     Rank best_rank;
@@ -176,6 +184,9 @@ Result<Choice> choose_fill(const std::vector<BoundaryLoop>& loops, const Hole& h
     for (const Attempt& attempt : attempts_for(loops, hole, request, tolerance)) {
         if (request.progress.cancelled()) {
             return fail(ErrorCode::Cancelled, "stopped while filling");
+        }
+        if (attempt.slow && effort == Effort::Quick) {
+            continue;
         }
         if (automatic && attempt.slow && best && best->measured.score <= kNear) {
             verdicts.push_back(attempt.name + ": not tried");
@@ -195,7 +206,7 @@ Result<Choice> choose_fill(const std::vector<BoundaryLoop>& loops, const Hole& h
         }
         const Rank rank = rank_of(*measured, hole, tolerance);
         verdicts.push_back(verdict(attempt.name, *measured, rank));
-        if (rank.wild || (automatic && rank.hopeless())) {
+        if (rank.wild || (request.method != "occt" && rank.hopeless())) {
             verdicts.back() += ", not taken";
             continue;
         }
