@@ -1,7 +1,7 @@
 #!/bin/sh
 # Makes the pictures of docs/freecad.md anew: ./docs/figures/freecad.sh [PROGRAM], from any folder. It walks
 # through FreeCAD's window on a screen of its own, as the test does. PROGRAM: by default what ./suture
-# has built. Needs what ./test installs, and Debian's python3-pil.
+# has built. Needs what ./test installs.
 set -eu
 cd "$(dirname "$0")/../.."
 program=${1:-$PWD/build/release/bin/suture}
@@ -13,16 +13,7 @@ for case in a_user_closes_a_suitcase_corner_from_step_to_step failures_are_sente
     /usr/bin/python3 -B tests/support/run_python_test.py "$test" "Window.test_$case"
 done
 mv "$work/failures/refused.png" "$work/walk/9_refused.png"
-/usr/bin/python3 - "$work"/walk/*.png <<'PYTHON'
-import sys
-from pathlib import Path
-from PIL import Image
-
-for path in map(Path, sys.argv[1:]):
-    name = path.stem.split("_", 1)[1]
-    picture = Image.open(path).convert("RGB")
-    if picture.width > 1152:
-        size = (1152, round(1152 * picture.height / picture.width))
-        picture = picture.resize(size, Image.LANCZOS)
-    picture.quantize(192, dither=Image.Dither.NONE).save(f"docs/figures/freecad_{name}.png", optimize=True)
-PYTHON
+for picture in "$work"/walk/*.png; do
+    name=${picture##*/}
+    mv "$picture" "docs/figures/freecad_${name#*_}"
+done

@@ -18,7 +18,7 @@ from PySide import QtCore, QtGui
 
 OUT = Path(os.environ["SUTURE_OUT"])
 ROOT = Path(os.environ["SUTURE_SOURCE_DIR"])
-WINDOW = (1440, 900)
+WINDOW = (1240, 860)
 TICK_MS = 20
 
 
@@ -159,6 +159,7 @@ class Driver:
         raise AssertionError(f"{element} is not to be seen")
 
     def picture(self, name):
+        self.window.statusBar().clearMessage()
         Gui.updateGui()
         self.window.screen().grabWindow(self.window.winId()).save(str(OUT / f"{name}.png"))
 
@@ -174,7 +175,7 @@ def tidy(driver):
         if dock.objectName() in ("Python console", "Report view"):
             dock.hide()
         if dock.objectName() == "Combo View":
-            driver.window.resizeDocks([dock], [470], QtCore.Qt.Horizontal)
+            driver.window.resizeDocks([dock], [440], QtCore.Qt.Horizontal)
 
 
 def finish(driver, error):
