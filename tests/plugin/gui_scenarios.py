@@ -31,7 +31,14 @@ def open_example(driver, name="suitcase_corner"):
 
 def walk(driver):
     """The whole way: open, find, fill with preview, OK, check, export. Takes the pictures of docs."""
-    document, obj = open_example(driver)
+    Gui.activateWorkbench("SutureWorkbench")
+    driver.later(lambda: Gui.runCommand("Std_Open", 0))
+    yield driver.pause(0.7)
+    driver.choose_file(ROOT / "docs/examples/suitcase_corner.step", "STEP with colors")
+    yield driver.until("the model", lambda: App.ActiveDocument and App.ActiveDocument.Objects)
+    document, obj = App.ActiveDocument, App.ActiveDocument.Objects[-1]
+    obj.Label = "suitcase corner"
+    driver.look(1.1, 0.9, 0.8)
     yield driver.pause(1.0)
     driver.picture("1_open")
 
@@ -383,3 +390,21 @@ def rows(driver):
     """The rows of the first group of the list of holes."""
     group = driver.find("SutureHoles", QtGui.QTreeWidget).topLevelItem(0)
     return [group.child(index) for index in range(group.childCount())] if group else []
+
+
+def closing(driver):
+    """The document is closed while a fill of it runs: the panel goes, and the processes too."""
+    document, obj = open_example(driver)
+    yield driver.pause(0.5)
+    driver.tool("Suture_Fill")
+    yield driver.until("the fill", lambda: driver.there("SutureStatus") and "filling" in driver.status())
+    pids = descendants()
+    App.closeDocument(document.Name)
+    yield driver.until("the panel to close", lambda: not driver.dialog_open())
+    yield driver.until("the end of the processes", lambda: not any(map(alive, pids)), 5)
+    driver.said["processes"] = len(pids)
+    open_example(driver, "box_without_lid")
+    yield driver.pause(0.5)
+    driver.tool("Suture_FindHoles")
+    yield driver.until("the holes", lambda: driver.there("SutureHoles") and rows(driver))
+    driver.said["row"] = rows(driver)[0].text(0)

@@ -168,6 +168,11 @@ class Window(unittest.TestCase):
         self.assertIn("Invalid", said["state"])
         self.assertTrue(said["kept"])
 
+    def test_closing_the_document_ends_its_run(self):
+        said, _ = carry_out("closing", SUTURE_EXE=BAD, SUTURE_BEHAVIOUR="slow")
+        self.assertGreaterEqual(said["processes"], 2)
+        self.assertEqual(said["row"], "Hole 1")
+
     def test_it_speaks_german_where_freecad_does(self):
         said, _ = carry_out("german", language="German")
         self.assertEqual(said["button"], "Löcher finden…")

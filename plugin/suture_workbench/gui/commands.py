@@ -43,17 +43,19 @@ def _target():
     return item
 
 
-def _open(panel):
+def _open(panel, item=None):
     if Gui.Control.activeDialog():
         raise SutureError(translate("Finish the open task first."))
-    panel().show()
+    if item is None:
+        panel().show()
+    else:
+        panel(item).show(item.obj.Document)
 
 
 def find_holes():
     from .holes_panel import HolesPanel
 
-    item = _target()
-    _open(lambda: HolesPanel(item))
+    _open(HolesPanel, _target())
 
 
 def fill():
@@ -64,14 +66,13 @@ def fill():
     if filled and not (item.edges or item.faces):
         item.obj.ViewObject.Proxy.setEdit(item.obj.ViewObject)
         return
-    _open(lambda: FillPanel(item))
+    _open(FillPanel, item)
 
 
 def check():
     from .check_panel import CheckPanel
 
-    item = _target()
-    _open(lambda: CheckPanel(item))
+    _open(CheckPanel, _target())
 
 
 def zebra():

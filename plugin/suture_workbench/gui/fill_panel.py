@@ -244,9 +244,7 @@ class FillPanel(Panel):
         except Exception as error:  # the panel stays, so that something else can be tried
             failures.show(error, self.item)
             return False
-        self.leave()
-        Gui.Control.closeDialog()
-        Gui.ActiveDocument.resetEdit()
+        self.close()
         return True
 
     def _commit(self, request, filled):
@@ -262,6 +260,6 @@ class FillPanel(Panel):
         self._drawing.close()
         self.tree.leave()
         self.sides.leave()
-        if self.edited is not None:
+        if self.edited is not None and self.edited.Document is not None:
             self.edited.ViewObject.Visibility = True
             self.item.obj.ViewObject.Visibility = False

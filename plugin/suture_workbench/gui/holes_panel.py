@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Find holes: lists them, shows them, and hands the ticked ones to the fill panel."""
 
-import FreeCADGui as Gui
-
 from .. import RESOURCES, places, tasks
 from ..compat import QtWidgets, translate
 from ..errors import NothingToDo
@@ -64,6 +62,5 @@ class HolesPanel(Panel):
         from .fill_panel import FillPanel
 
         ids = {hole.id for hole in self.tree.ticked()}
-        self.leave()
-        Gui.Control.closeDialog()
-        FillPanel(self.item, ticked=lambda hole: hole.id in ids).show()
+        self.close()
+        FillPanel(self.item, ticked=lambda hole: hole.id in ids).show(self.item.obj.Document)

@@ -61,7 +61,7 @@ class FilledShapeView(Stateless):
             return None
         obj = view_object.Object
         Gui.Control.closeDialog()
-        FillPanel.edit(obj).show()
+        FillPanel.edit(obj).show(obj.Document)
         return True
 
     def unsetEdit(self, view_object, mode=0):

@@ -2,6 +2,7 @@
 """Small widgets that the panels share."""
 
 import FreeCAD as App
+import FreeCADGui as Gui
 
 from ..compat import QtCore, QtGui, QtWidgets, as_int, translate
 
@@ -91,6 +92,7 @@ class Panel:
     icon = ""
     title = ""
     buttons = (Buttons.Close,)
+    _guard = None
 
     def __init__(self):
         self.form = QtWidgets.QWidget()
@@ -100,12 +102,21 @@ class Panel:
             self.form.setWindowIcon(QtGui.QIcon(self.icon))
         self.layout = QtWidgets.QVBoxLayout(self.form)
 
-    def show(self):
-        import FreeCADGui as Gui
-
-        # As soon as the event loop comes round: a panel may open the next one.
+    def show(self, document=None):
+        """Opens the panel; it goes when `document` does."""
+        self._guard = _Guard(self, document) if document is not None else None
         Gui.Control.showDialog(self)
         return self
+
+    def close(self):
+        """Takes the panel away."""
+        if self._guard is not None:
+            App.removeDocumentObserver(self._guard)
+            self._guard = None
+        self.leave()
+        Gui.Control.closeDialog()
+        if Gui.ActiveDocument is not None:
+            Gui.ActiveDocument.resetEdit()
 
     def getStandardButtons(self):
         total = 0
@@ -123,16 +134,23 @@ class Panel:
         return False
 
     def reject(self):
-        import FreeCADGui as Gui
-
-        self.leave()
-        Gui.Control.closeDialog()
-        if Gui.ActiveDocument is not None:
-            Gui.ActiveDocument.resetEdit()
+        self.close()
         return True
 
     def leave(self):
         """Takes away what the panel has drawn and started."""
+
+
+class _Guard:
+    """Closes a panel when its document is closed."""
+
+    def __init__(self, panel, document):
+        self._panel, self._name = panel, document.Name
+        App.addDocumentObserver(self)
+
+    def slotDeletedDocument(self, document):
+        if document.Name == self._name:
+            self._panel.close()
 
 
 def length(value):
