@@ -3,9 +3,5 @@
 
 import FreeCAD
 
-FreeCAD.addExportType(
-    "STEP with holes filled (*.step *.stp)", "suture_workbench.export_step"
-)
-FreeCAD.addExportType(
-    "IGES with holes filled (*.iges *.igs)", "suture_workbench.export_iges"
-)
+FreeCAD.addExportType("STEP with holes filled (*.step *.stp)", "suture_workbench.export_step")
+FreeCAD.addExportType("IGES with holes filled (*.iges *.igs)", "suture_workbench.export_iges")

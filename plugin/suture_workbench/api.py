@@ -22,7 +22,7 @@ from .reports import FILLABLE
 
 
 def find_holes(obj):
-    """tasks.Found of an object: the boundary loops of its shape, holes first; none is no failure."""
+    """tasks.Found of an object: the loops of its shape, holes first; none is no failure."""
     try:
         return waiting.run(tasks.FindHoles(places.local_shape(obj)))
     except NothingToDo:
@@ -51,8 +51,8 @@ def fill(obj, edges=(), faces=(), through=(), **options):
     """A parametric object in which holes of `obj` are filled; without edges and faces all of them.
 
     through   [(object, ("Edge1", "Vertex2")), ...] that the new face passes through
-    options   those of FillOptions: method, continuity, sides, points, gap, angle, curvature, one_face,
-              all_loops
+    options   those of FillOptions: method, continuity, sides, points, gap, angle, curvature,
+              one_face, all_loops
     """
     base = places.base_of(obj)
     chosen = FillOptions(edges_for(base, edges, faces), **options)

@@ -66,5 +66,3 @@ def at_edges(shape, numbers):
         for number in numbers
         for face in faces_at(shape, number)
     ]
-
-

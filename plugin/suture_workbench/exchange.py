@@ -91,9 +91,7 @@ def loose_faces(shape):
     for index, face in enumerate(faces):
         for edge in face.Edges:
             users.setdefault(edge.hashCode(), set()).add(index)
-    return any(
-        all(len(users[edge.hashCode()]) == 1 for edge in face.Edges) for face in faces
-    )
+    return any(all(len(users[edge.hashCode()]) == 1 for edge in face.Edges) for face in faces)
 
 
 def same_edges(numbers, shape, other, tolerance):
@@ -111,9 +109,7 @@ def same_edges(numbers, shape, other, tolerance):
     for number in numbers:
         edge = shape.Edges[number - 1]
         first, last = edge.ParameterRange
-        probes = [
-            Part.Vertex(edge.valueAt(first + t * (last - first))) for t in (0.31, 0.5, 0.77)
-        ]
+        probes = [Part.Vertex(edge.valueAt(first + t * (last - first))) for t in (0.31, 0.5, 0.77)]
         best = None
         for index, candidate, box in candidates:
             box.enlarge(reach)

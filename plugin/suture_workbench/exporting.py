@@ -12,6 +12,8 @@ def on_export(objects, filename):
     try:
         verdict = exporter.export(objects, filename)
     except Cancelled:
-        App.Console.PrintWarning(translate("Export stopped: {} was not written.").format(filename) + "\n")
+        App.Console.PrintWarning(
+            translate("Export stopped: {} was not written.").format(filename) + "\n"
+        )
         return
     App.Console.PrintMessage(f"{filename}: {verdict}\n")

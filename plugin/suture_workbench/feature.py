@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The parametric object: a shape whose holes are filled. Documents name this class: keep its name."""
+"""The parametric object: a shape whose holes are filled. Documents name its class: keep the name."""
 
 import hashlib
 import json

@@ -110,7 +110,7 @@ def resolve(top, sub):
 def points_through(references, obj):
     """Points of vertices and edges of other objects, in the coordinates of local_shape(obj).
 
-    references   [(object, ("Vertex1", "Edge2")), ...]; no sub-elements: all edges and loose vertices
+    references   [(object, ("Vertex1", "Edge2")), ...]; no sub-elements: all edges, else all vertices
     """
     back = to_document(obj).inverse()
     points = []

@@ -33,7 +33,7 @@ def candidates():
 def find(chosen=None):
     """The program's path; ProgramMissing says how to get it.
 
-    chosen   where the user says that it is, "" for the usual places; by default as in the preferences
+    chosen   where the user says that it is, "" for the usual places; None: as in the preferences
     """
     chosen = settings.program() if chosen is None else chosen
     if chosen and _runs(chosen):

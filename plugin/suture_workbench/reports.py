@@ -16,7 +16,8 @@ Holes = namedtuple("Holes", "verdict holes sewn sewing_tolerance document")
 
 Side = namedtuple("Side", "edge face wanted reason gap angle curvature")
 HoleFill = namedtuple(
-    "HoleFill", "id ids status method wanted reached ok gap angle reason sides new_faces notes edges"
+    "HoleFill",
+    "id ids status method wanted reached ok gap angle reason sides new_faces notes edges",
 )
 Fill = namedtuple("Fill", "verdict holes closed valid free_edges ok document")
 
@@ -36,9 +37,9 @@ def _checked(parse):
             return parse(document)
         except (KeyError, TypeError, ValueError, IndexError, AttributeError) as error:
             raise SutureError(
-                translate("The program's answer is not as expected ({}: {}). Is it too old?").format(
-                    type(error).__name__, error
-                )
+                translate(
+                    "The program's answer is not as expected ({}: {}). Is it too old?"
+                ).format(type(error).__name__, error)
             ) from error
 
     return wrapped
@@ -150,7 +151,9 @@ def refusal(report):
 def with_edges(report, loops):
     """The report with the edges of holes that were refused, whose sides the program leaves out."""
     known = [
-        hole if hole.edges else hole._replace(edges=[e for id in hole.ids for e in loops.get(id, [])])
+        hole
+        if hole.edges
+        else hole._replace(edges=[e for id in hole.ids for e in loops.get(id, [])])
         for hole in report.holes
     ]
     return report._replace(holes=known)

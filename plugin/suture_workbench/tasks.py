@@ -65,7 +65,9 @@ class Task:
         except SutureError as error:
             if self._timed_out:
                 error = SutureError(
-                    translate("Given up after {} s, the limit set in the preferences.").format(limit)
+                    translate("Given up after {} s, the limit set in the preferences.").format(
+                        limit
+                    )
                 )
             self._end(error)
             return False
@@ -126,7 +128,8 @@ class Task:
         def number(edge):
             if edge not in found:
                 raise SutureError(
-                    translate("Edge{} is gone after the loose faces were sewn.").format(edge), [edge]
+                    translate("Edge{} is gone after the loose faces were sewn.").format(edge),
+                    [edge],
                 )
             return found[edge]
 

@@ -19,7 +19,11 @@ PROGRAM = os.environ["SUTURE_PROGRAM"]
 def slow():
     signal.signal(signal.SIGTERM, signal.SIG_IGN)
     subprocess.Popen(
-        [sys.executable, "-c", "import signal,time; signal.signal(15, signal.SIG_IGN); time.sleep(60)"]
+        [
+            sys.executable,
+            "-c",
+            "import signal,time; signal.signal(15, signal.SIG_IGN); time.sleep(60)",
+        ]
     )
     for step in range(600):
         said = {"progress": step / 600, "stage": "filling hole 1"}

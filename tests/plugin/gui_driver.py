@@ -1,10 +1,10 @@
 """Runs inside FreeCAD's window (test_gui.py starts it) and does what a user does there.
 
-A scenario is a generator: it acts, then yields what to wait for. SUTURE_SCENARIO names it,
+A scenario is a generator: it acts, then yields what to wait for. SUTURE_SCENARIO names it (gui_walk.walk),
 SUTURE_OUT is the folder for its pictures and for result.json: {"error": text or null, "said": {}}.
 """
 
-import importlib.util
+import importlib
 import json
 import os
 import sys
@@ -106,7 +106,11 @@ class Driver:
 
     def choose_file(self, path, filter_word, picture=None):
         """Fills in FreeCAD's file dialog, as with the keyboard, and accepts."""
-        dialog = [w for w in QtGui.QApplication.topLevelWidgets() if isinstance(w, QtGui.QFileDialog) and w.isVisible()]
+        dialog = [
+            w
+            for w in QtGui.QApplication.topLevelWidgets()
+            if isinstance(w, QtGui.QFileDialog) and w.isVisible()
+        ]
         filters = [text for text in dialog[0].nameFilters() if filter_word in text]
         dialog[0].selectNameFilter(filters[0])
         dialog[0].filterSelected.emit(filters[0])
@@ -115,10 +119,13 @@ class Driver:
         if picture:  # of what is filled in, without the list of somebody's files
             line.setText(Path(path).name)
             size = dialog[0].size()
-            dialog[0].grab(QtCore.QRect(0, size.height() - 70, size.width(), 70)).save(str(OUT / f"{picture}.png"))
+            dialog[0].grab(QtCore.QRect(0, size.height() - 70, size.width(), 70)).save(
+                str(OUT / f"{picture}.png")
+            )
             line.setText(str(path))
         QtGui.QApplication.postEvent(
-            line, QtGui.QKeyEvent(QtCore.QEvent.KeyPress, QtCore.Qt.Key_Return, QtCore.Qt.NoModifier)
+            line,
+            QtGui.QKeyEvent(QtCore.QEvent.KeyPress, QtCore.Qt.Key_Return, QtCore.Qt.NoModifier),
         )
 
     def later(self, action):
@@ -135,7 +142,9 @@ class Driver:
         view = Gui.ActiveDocument.ActiveView
         view.setAnimationEnabled(False)
         view.viewIsometric()
-        view.setCameraOrientation(App.Rotation(App.Vector(1, -1, 0), App.Vector(0, 0, 1), App.Vector(x, y, z), "ZYX"))
+        view.setCameraOrientation(
+            App.Rotation(App.Vector(1, -1, 0), App.Vector(0, 0, 1), App.Vector(x, y, z), "ZYX")
+        )
         view.fitAll()
 
     def pick(self, element, point):
@@ -145,7 +154,8 @@ class Driver:
         shown = [w for w in self.window.findChildren(QtGui.QGraphicsView) if w.isVisible()]
         viewport = shown[-1].viewport()
         around = sorted(
-            ((dx, dy) for dx in range(-9, 10) for dy in range(-9, 10)), key=lambda d: d[0] ** 2 + d[1] ** 2
+            ((dx, dy) for dx in range(-9, 10) for dy in range(-9, 10)),
+            key=lambda d: d[0] ** 2 + d[1] ** 2,
         )
         for dx, dy in around:
             seen = view.getObjectInfo((x0 + dx, y0 + dy))
@@ -186,12 +196,12 @@ def finish(driver, error):
 
 
 def main():
-    spec = importlib.util.spec_from_file_location("gui_scenarios", ROOT / "tests/plugin/gui_scenarios.py")
-    scenarios = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(scenarios)
+    sys.path.insert(0, str(ROOT / "tests/plugin"))
+    module, function = os.environ["SUTURE_SCENARIO"].split(".")
+    scenario = getattr(importlib.import_module(module), function)
     driver = Driver()
     tidy(driver)
-    steps = getattr(scenarios, os.environ["SUTURE_SCENARIO"])(driver)
+    steps = scenario(driver)
     waiting = [None]
 
     def advance():

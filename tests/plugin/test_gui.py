@@ -1,6 +1,6 @@
 """Drives FreeCAD's window on a screen of its own (Xvfb): what a user does, and what he sees.
 
-The scenarios are in gui_scenarios.py, their pictures go to SUTURE_PICTURES or the build folder.
+The scenarios are in gui_walk.py, gui_slow.py and gui_cases.py, their pictures go to SUTURE_PICTURES or the build folder.
 """
 
 import json
@@ -45,7 +45,10 @@ def home_with_addon(folder, language):
 
 def carry_out(scenario, language="English", **environment):
     """Runs a scenario. Result   what it said, and the folder with its pictures"""
-    out = Path(os.environ.get("SUTURE_PICTURES") or BUILD / "tests/plugin/pictures") / scenario
+    out = (
+        Path(os.environ.get("SUTURE_PICTURES") or BUILD / "tests/plugin/pictures")
+        / scenario.split(".")[1]
+    )
     shutil.rmtree(out, ignore_errors=True)
     out.mkdir(parents=True)
     with tempfile.TemporaryDirectory(prefix="suture-home-") as folder:
@@ -88,7 +91,7 @@ def carry_out(scenario, language="English", **environment):
 @unittest.skipUnless(shutil.which("freecad"), "FreeCAD is not installed")
 class Window(unittest.TestCase):
     def test_a_user_closes_a_suitcase_corner_from_step_to_step(self):
-        said, out = carry_out("walk")
+        said, out = carry_out("gui_walk.walk")
         self.assertEqual(said["row"], ["Hole 1", "hole", "3", "13.86 mm", "smooth at every corner"])
         self.assertEqual(sorted(said["selected"]), ["Edge19", "Edge21", "Edge9"])
         self.assertIn("closed, valid", said["preview"])
@@ -112,20 +115,20 @@ class Window(unittest.TestCase):
         self.assertGreaterEqual(said["ticks_per_second"], min(TICKS, said["ticks_idle"] / 2))
 
     def test_the_panel_lives_while_a_slow_fill_runs_and_stops_it(self):
-        said, _ = carry_out("slow", SUTURE_EXE=BAD, SUTURE_BEHAVIOUR="slow")
+        said, _ = carry_out("gui_slow.slow", SUTURE_EXE=BAD, SUTURE_BEHAVIOUR="slow")
         self.assert_alive(said)
         self.assertGreaterEqual(said["processes_while_running"], 2)
         self.assertLess(said["seconds_to_stop"], STOPPED)
         self.assertEqual(said["objects"], 1)
 
     def test_ok_waits_in_a_dialog_that_lives_and_stops(self):
-        said, _ = carry_out("slow_ok", SUTURE_EXE=BAD, SUTURE_BEHAVIOUR="slow")
+        said, _ = carry_out("gui_slow.slow_ok", SUTURE_EXE=BAD, SUTURE_BEHAVIOUR="slow")
         self.assert_alive(said)
         self.assertLess(said["seconds_to_stop"], STOPPED)
         self.assertEqual((said["left"], said["panel_open"], said["objects"]), (0, True, 1))
 
     def test_failures_are_sentences_and_select_their_edges(self):
-        said, _ = carry_out("failures")
+        said, _ = carry_out("gui_cases.failures")
         self.assertIn("Face3 (cylinder) and Face7 (cylinder)", said["refusal"])
         self.assertEqual(sorted(said["selected"]), ["Edge19", "Edge21", "Edge9"])
         self.assertIn("Preferences > Suture", said["missing"])
@@ -133,7 +136,7 @@ class Window(unittest.TestCase):
         self.assertEqual(said["objects"], 1)
 
     def test_a_fill_from_a_picked_edge_is_edited_undone_and_redone(self):
-        said, _ = carry_out("edit")
+        said, _ = carry_out("gui_cases.edit")
         self.assertEqual(said["picked"], ["Edge9"])
         self.assertEqual(said["edges"], ["Edge9"])
         self.assertTrue(said["hidden"] and said["visible"])
@@ -143,7 +146,7 @@ class Window(unittest.TestCase):
         self.assertTrue(said["base_back"])
 
     def test_preferences_are_kept_and_files_converted_on_disk(self):
-        said, out = carry_out("files")
+        said, out = carry_out("gui_cases.files")
         self.assertIn(PROGRAM, said["found"])
         self.assertIn("/no/suture", said["not_found"])
         self.assertEqual((said["method"], said["program"]), ("mvs", PROGRAM))
@@ -157,24 +160,24 @@ class Window(unittest.TestCase):
             self.assertTrue(json.loads(done.stdout)["shape"]["closed"], name)
 
     def test_colours_and_containers_are_kept(self):
-        said, _ = carry_out("containers")
+        said, _ = carry_out("gui_cases.containers")
         self.assertEqual(said["parent"], "Part")
         self.assertEqual(said["colors"], [*said["wanted"], said["plain"]])
 
     def test_a_slow_recompute_can_be_stopped(self):
-        said, _ = carry_out("recompute")
+        said, _ = carry_out("gui_slow.recompute")
         self.assert_alive(said)
         self.assertLess(said["seconds_to_stop"], STOPPED)
         self.assertIn("Invalid", said["state"])
         self.assertTrue(said["kept"])
 
     def test_closing_the_document_ends_its_run(self):
-        said, _ = carry_out("closing", SUTURE_EXE=BAD, SUTURE_BEHAVIOUR="slow")
+        said, _ = carry_out("gui_slow.closing", SUTURE_EXE=BAD, SUTURE_BEHAVIOUR="slow")
         self.assertGreaterEqual(said["processes"], 2)
         self.assertEqual(said["row"], "Hole 1")
 
     def test_it_speaks_german_where_freecad_does(self):
-        said, _ = carry_out("german", language="German")
+        said, _ = carry_out("gui_cases.german", language="German")
         self.assertEqual(said["button"], "Löcher finden…")
         self.assertEqual(said["row"], ["Loch 1", "Loch", "3"])
         self.assertEqual(said["gap"], "0.001 mm")

@@ -75,7 +75,9 @@ class CheckPanel(Panel):
         self.limits = [
             number_box(settings.gap(), "mm", translate("Largest gap between two faces")),
             number_box(settings.angle(), "°", translate("Largest angle of a tangent edge")),
-            number_box(settings.curvature(), "%", translate("Largest curvature mismatch of a G2 edge")),
+            number_box(
+                settings.curvature(), "%", translate("Largest curvature mismatch of a G2 edge")
+            ),
             number_box(5.0, "°", translate("From this angle on an edge is meant to be sharp")),
         ]
         row = QtWidgets.QGridLayout()
@@ -90,7 +92,14 @@ class CheckPanel(Panel):
         self.table.setObjectName("SutureEdges")
         self.table.setRootIsDecorated(False)
         self.table.setHeaderLabels(
-            [translate("Edge"), translate("Class"), translate("Gap"), translate("Angle"), translate("Curvature"), translate("Faces")]
+            [
+                translate("Edge"),
+                translate("Class"),
+                translate("Gap"),
+                translate("Angle"),
+                translate("Curvature"),
+                translate("Faces"),
+            ]
         )
         self.table.setMinimumHeight(200)
         self.table.itemSelectionChanged.connect(self._show_worst)
@@ -111,7 +120,15 @@ class CheckPanel(Panel):
         self.layout.addWidget(heading(self.item.obj.Label))
         self.layout.addLayout(form)
         self.layout.addLayout(row)
-        for widget in (self.only, self.table, self.status, self.legend, self.zebra, self.combs, self.save):
+        for widget in (
+            self.only,
+            self.table,
+            self.status,
+            self.legend,
+            self.zebra,
+            self.combs,
+            self.save,
+        ):
             self.layout.addWidget(widget)
         self.profile.currentIndexChanged.connect(self._profile_changed)
         self.only.toggled.connect(self.measure)
@@ -152,7 +169,9 @@ class CheckPanel(Panel):
     def _done(self, result):
         self.report, self.measured = result
         limits = self.report.limits
-        for box, value in zip(self.limits, (limits.gap, limits.angle, limits.curvature, limits.sharp)):
+        for box, value in zip(
+            self.limits, (limits.gap, limits.angle, limits.curvature, limits.sharp)
+        ):
             box.blockSignals(True)
             box.setValue(value)
             box.blockSignals(False)
@@ -230,7 +249,9 @@ class CheckPanel(Panel):
             rows.append((f"{class_name(key)}: {len(numbers)}", _COLORS[key]))
             if key not in self._hidden:
                 edges = (self.measured.Edges[number - 1] for number in numbers)
-                lines = [overlay.outline(edge, deflection) for edge in edges if not edge.Degenerated]
+                lines = [
+                    overlay.outline(edge, deflection) for edge in edges if not edge.Degenerated
+                ]
                 self._lines.lines(lines, _COLORS[key], 2.5 if key == "sharp" else 5.0)
         self._legend.legend(rows)
 
@@ -247,7 +268,9 @@ class CheckPanel(Panel):
         self.legend.blockSignals(False)
 
     def _tick_class(self, entry):
-        change = self._hidden.discard if entry.checkState() == QtCore.Qt.Checked else self._hidden.add
+        change = (
+            self._hidden.discard if entry.checkState() == QtCore.Qt.Checked else self._hidden.add
+        )
         change(entry.data(_ROLE))
         self._draw()
 
@@ -284,7 +307,9 @@ class CheckPanel(Panel):
         elif suffix in (".html", ".htm"):
             run_with_dialog(tasks.CheckContinuity(self.shape, self.options(), html=path))
         else:
-            raise SutureError(translate("A report ends in .html, .csv or .json, not {}.").format(suffix))
+            raise SutureError(
+                translate("A report ends in .html, .csv or .json, not {}.").format(suffix)
+            )
 
     def leave(self):
         self._watcher.cancel()

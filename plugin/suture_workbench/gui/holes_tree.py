@@ -42,7 +42,13 @@ class HolesTree(QtWidgets.QTreeWidget):
         self._overlay = overlay.Overlay(placement)
         self._placement = placement
         self.setHeaderLabels(
-            [translate("Hole"), translate("Kind"), translate("Sides"), translate("Size"), translate("Neighbours")]
+            [
+                translate("Hole"),
+                translate("Kind"),
+                translate("Sides"),
+                translate("Size"),
+                translate("Neighbours"),
+            ]
         )
         self.setAlternatingRowColors(True)
         self.setMinimumHeight(110)

@@ -216,5 +216,3 @@ def _transform(placement):
     node.translation = tuple(placement.Base)
     node.rotation = tuple(placement.Rotation.Q)
     return node
-
-

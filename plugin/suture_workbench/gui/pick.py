@@ -70,7 +70,9 @@ def _frame(box):
     place = coin.SoTranslation()
     place.translation = tuple(box.Center)
     cube = coin.SoCube()
-    cube.width, cube.height, cube.depth = (max(x, 1e-6) for x in (box.XLength, box.YLength, box.ZLength))
+    cube.width, cube.height, cube.depth = (
+        max(x, 1e-6) for x in (box.XLength, box.YLength, box.ZLength)
+    )
     node.addChild(place)
     node.addChild(cube)
     camera.viewAll(node, region)

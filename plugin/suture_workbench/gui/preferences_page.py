@@ -16,14 +16,18 @@ class PreferencesPage:
         self.form.setWindowTitle(translate("General"))
         self._program = QtWidgets.QLineEdit()
         self._program.setObjectName("SutureProgramPath")
-        self._program.setPlaceholderText(translate("searched: the addon's own build, then the PATH"))
+        self._program.setPlaceholderText(
+            translate("searched: the addon's own build, then the PATH")
+        )
         self._program.textChanged.connect(self._look)
         browse = QtWidgets.QPushButton("…")
         browse.clicked.connect(self._browse)
         self._found = QtWidgets.QLabel()
         self._found.setObjectName("SutureProgramFound")
         self._found.setWordWrap(True)
-        self._gap = number_box(0.001, "mm", translate("Largest gap between a new face and its neighbours"))
+        self._gap = number_box(
+            0.001, "mm", translate("Largest gap between a new face and its neighbours")
+        )
         self._angle = number_box(0.01, "°", translate("Largest angle of tangent joins"))
         self._curvature = number_box(2.0, "%", translate("Largest curvature mismatch of G2 joins"))
         self._method = QtWidgets.QComboBox()
@@ -60,7 +64,9 @@ class PreferencesPage:
         self._curvature.setValue(settings.curvature())
         choices = program.methods()
         self._method.clear()
-        self._method.addItems(choices if settings.method() in choices else [*choices, settings.method()])
+        self._method.addItems(
+            choices if settings.method() in choices else [*choices, settings.method()]
+        )
         self._method.setCurrentText(settings.method())
         self._preview.setChecked(settings.preview())
         self._limit.setValue(settings.time_limit())

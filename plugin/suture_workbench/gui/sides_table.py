@@ -18,9 +18,15 @@ class SidesTable(QtWidgets.QTreeWidget):
         self._tree, self._item, self._combos = tree, item, {}
         self.setRootIsDecorated(False)
         self.setHeaderLabels(
-            [translate("Side"), translate("Joins"), translate("Gap"), translate("Angle"), translate("Curvature")]
+            [
+                translate("Side"),
+                translate("Joins"),
+                translate("Gap"),
+                translate("Angle"),
+                translate("Curvature"),
+            ]
         )
-        
+
         self.itemClicked.connect(self._select)
 
     def show_holes(self, holes):

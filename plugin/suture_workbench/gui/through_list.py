@@ -42,7 +42,9 @@ class ThroughList(QtWidgets.QGroupBox):
         self.list.setMaximumHeight(60)
         add = QtWidgets.QPushButton(translate("Add selected"))
         add.setObjectName("SutureAddThrough")
-        add.setToolTip(translate("Select vertices or edges, of a sketch for example, then click here"))
+        add.setToolTip(
+            translate("Select vertices or edges, of a sketch for example, then click here")
+        )
         load = QtWidgets.QPushButton(translate("From file…"))
         load.setToolTip(translate("Points from a text file with x, y, z on each line"))
         clear = QtWidgets.QPushButton(translate("Clear"))
@@ -74,7 +76,10 @@ class ThroughList(QtWidgets.QGroupBox):
 
     def _load(self):
         path, _ = QtWidgets.QFileDialog.getOpenFileName(
-            self, translate("Points to pass through"), "", translate("Text (*.csv *.txt *.xyz);;All files (*)")
+            self,
+            translate("Points to pass through"),
+            "",
+            translate("Text (*.csv *.txt *.xyz);;All files (*)"),
         )
         if path:
             self.load(path)

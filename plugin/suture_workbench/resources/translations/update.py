@@ -25,7 +25,9 @@ def texts():
     for path in sorted(SOURCES.rglob("*.py")):
         tree = ast.parse(path.read_text(encoding="utf-8"), str(path))
         for node in ast.walk(tree):
-            if not (isinstance(node, ast.Call) and getattr(node.func, "id", "") in ("translate", "mark")):
+            if not (
+                isinstance(node, ast.Call) and getattr(node.func, "id", "") in ("translate", "mark")
+            ):
                 continue
             for argument in node.args[:1]:
                 if isinstance(argument, ast.Constant) and isinstance(argument.value, str):
