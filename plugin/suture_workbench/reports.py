@@ -17,7 +17,7 @@ Holes = namedtuple("Holes", "verdict holes sewn sewing_tolerance document")
 Side = namedtuple("Side", "edge face wanted reason gap angle curvature")
 HoleFill = namedtuple(
     "HoleFill",
-    "id ids status method wanted reached ok gap angle reason sides new_faces notes edges",
+    "id ids status method wanted reached ok gap angle reason sides new_faces notes edges points distance",
 )
 Fill = namedtuple("Fill", "verdict holes closed valid free_edges ok document")
 
@@ -107,6 +107,8 @@ def fill(document):
             [patch["face"] for patch in entry["patches"]],
             [in_freecads_words(note) for note in entry["notes"]],
             [side["edge"] for side in entry["edges"]],
+            entry.get("points_through") or 0,
+            entry.get("max_distance_through"),
         )
         for entry in document["holes"]
     ]
@@ -121,9 +123,22 @@ def fill(document):
     )
 
 
+def summary(report):
+    """What came of a fill that is all that was asked for."""
+    lines = [report.verdict]
+    for hole in report.holes:
+        if hole.points and hole.distance is not None:
+            lines.append(
+                translate("Hole {} passes {} points within {:.2g} mm.").format(
+                    hole.id, hole.points, hole.distance
+                )
+            )
+    return "\n".join(lines)
+
+
 def shortfall(report):
     """Why a fill is not all that was asked for, hole by hole."""
-    lines = [report.verdict]
+    lines = [summary(report)]
     for hole in report.holes:
         if hole.status == "refused":
             edges = ", ".join(f"Edge{edge}" for edge in hole.edges)

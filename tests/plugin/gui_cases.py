@@ -4,6 +4,7 @@ import os
 
 import FreeCAD as App
 import FreeCADGui as Gui
+import Part
 from gui_common import CANCEL, CLOSE, OK, OUT, ROOT, open_example, rows
 from PySide import QtGui
 
@@ -156,6 +157,43 @@ def containers(driver):
     Gui.Selection.clearSelection()
     yield driver.pause(0.3)
     driver.picture("colors")
+
+
+def through(driver):
+    """A point beside the hole is selected in the view and added: the face goes through it."""
+    document, obj = open_example(driver, "bump_window")
+    edges = obj.Shape.Edges
+    hole = [e for e in edges if len(obj.Shape.ancestorsOfType(e, Part.Face)) == 1]
+    middle = sum((edge.CenterOfMass for edge in hole), App.Vector()) * (1 / len(hole))
+    probe = document.addObject("Part::Feature", "Probe")
+    probe.Shape = Part.Vertex(middle + App.Vector(0, 0, 0.5))
+    document.recompute()
+    driver.look(1.1, 0.9, 0.8)
+    yield driver.pause(0.5)
+    Gui.Selection.clearSelection()
+    Gui.Selection.addSelection(obj)
+    driver.tool("Suture_Fill")
+    yield driver.until("the preview", lambda: done(driver))
+    driver.find("SutureMethod", QtGui.QComboBox).setCurrentText("mvs")
+    Gui.Selection.clearSelection()
+    Gui.Selection.addSelection(document.Name, "Probe", "Vertex1")
+    driver.click(driver.find("SutureAddThrough"))
+    yield driver.until("the point", lambda: "passes 1 points" in driver.status())
+    driver.said["status"] = driver.status()
+    driver.picture("through")
+    driver.press(OK)
+    yield driver.until("the panel to close", lambda: not driver.dialog_open())
+    filled = document.getObject("Filled")
+    new = [filled.Shape.Faces[number - 1] for number in filled.NewFaces]
+    driver.said["distance"] = min(face.distToShape(probe.Shape)[0] for face in new)
+    probe.Shape = Part.Vertex(middle + App.Vector(0, 0, 0.7))
+    document.recompute()
+    new = [filled.Shape.Faces[number - 1] for number in filled.NewFaces]
+    driver.said["followed"] = min(face.distToShape(probe.Shape)[0] for face in new)
+
+
+def done(driver):
+    return driver.there("SutureStatus") and "filled" in driver.status()
 
 
 def german(driver):

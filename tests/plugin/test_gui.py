@@ -176,6 +176,11 @@ class Window(unittest.TestCase):
         self.assertGreaterEqual(said["processes"], 2)
         self.assertEqual(said["row"], "Hole 1")
 
+    def test_a_face_goes_through_a_point_that_was_added_and_follows_it(self):
+        said, _ = carry_out("gui_cases.through")
+        self.assertLess(said["distance"], 0.002)
+        self.assertLess(said["followed"], 0.002)
+
     def test_it_speaks_german_where_freecad_does(self):
         said, _ = carry_out("gui_cases.german", language="German")
         self.assertEqual(said["button"], "Löcher finden…")

@@ -217,7 +217,7 @@ class FillPanel(Panel):
             self._drawing.mesh(*overlay.mesh_of(face, deflection), overlay.ORANGE, 0.2)
         self.sides.measured(filled.report)
         if filled.report.ok:
-            self.status.good(filled.report.verdict)
+            self.status.good(reports.summary(filled.report))
         else:
             self.status.bad(reports.shortfall(filled.report))
 
