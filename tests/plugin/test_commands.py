@@ -19,6 +19,7 @@ from headless import (
 import FreeCAD as App  # noqa: E402
 import Part  # noqa: E402
 from suture_workbench import api, reports  # noqa: E402
+from suture_workbench.errors import SutureError  # noqa: E402
 
 
 class Commands(Case):
@@ -31,10 +32,12 @@ class Commands(Case):
         self.assertLess(max(corner.mismatch for corner in hole.corners), 1e-6)
 
     def test_find_holes_puts_rims_after_holes(self):
-        sheet = Part.makePlane(10, 10).cut(Part.makeCylinder(2, 1, App.Vector(5, 5, -0.5)))
-        kinds = [hole.kind for hole in api.find_holes(self.add(sheet)).report.holes]
-        self.assertIn("rim", kinds)
-        self.assertEqual(kinds, sorted(kinds, key=lambda kind: kind != "hole"))
+        disc = Part.makeCylinder(2, 1, App.Vector(5, 5, -0.5))
+        plain = Part.makePlane(10, 10, App.Vector(50, 0, 0))
+        shapes = [plain, Part.makePlane(10, 10).cut(disc), plain.translated(App.Vector(50, 0, 0))]
+        holes = api.find_holes(self.add(Part.makeCompound(shapes))).report.holes
+        self.assertEqual([hole.kind for hole in holes], ["hole", "rim", "rim", "rim"])
+        self.assertGreater(holes[0].id, 1)
 
     def test_a_closed_solid_has_no_hole_and_that_is_no_failure(self):
         report = api.find_holes(self.add(Part.makeBox(1, 2, 3))).report
@@ -113,6 +116,12 @@ class Commands(Case):
         self.assertEqual((filled.Shape.ShapeType, len(filled.NewFaces)), ("Solid", 1))
         self.assertAlmostEqual(filled.Shape.Faces[filled.NewFaces[0] - 1].Area, ring, delta=1e-4)
         self.assertAlmostEqual(filled.Shape.Volume, solid.Volume, delta=1e-3)
+
+    def test_loops_that_bound_no_common_face_are_not_filled_as_one(self):
+        base = self.add(open_box())
+        edges = [hole.edges[0] for hole in api.find_holes(base).report.holes]
+        self.assertTrue(api.fill(base, edges=edges).Closed)
+        self.assertRaises(SutureError, api.fill, base, edges=edges, one_face=True)
 
     def test_check_can_be_told_profile_limits_and_edges(self):
         solid = self.add(api.fill(self.add(example())).Shape)

@@ -84,6 +84,19 @@ class Objects(Case):
         self.assert_same_face(Part.getShape(body).Faces[4], filled.Shape.Faces[4])
         self.assertTrue(filled.Closed)
 
+    def test_a_feature_inside_a_body_is_filled_beside_the_body(self):
+        body = self.document.addObject("PartDesign::Body", "Body")
+        body.Placement = TURNED
+        inside, tip = (self.document.addObject("PartDesign::Feature", name) for name in "AB")
+        for feature, shape in ((inside, example()), (tip, Part.makeBox(1, 1, 1))):
+            body.addObject(feature)
+            feature.Shape = shape
+        body.Tip = tip
+        filled = api.fill(inside)
+        self.assertIsNone(filled.getParentGeoFeatureGroup())
+        there = inside.Shape.Faces[4].CenterOfMass
+        self.assertLess((filled.Shape.Faces[4].CenterOfMass - TURNED.multVec(there)).Length, 1e-7)
+
     def test_a_link_is_filled_where_it_stands(self):
         link = self.document.addObject("App::Link", "Link")
         link.LinkedObject = self.add(example())
