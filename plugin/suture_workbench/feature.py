@@ -29,6 +29,13 @@ _PROPERTIES = [
         0,
     ),
     (
+        "MethodOptions",
+        "App::PropertyStringList",
+        "Fill",
+        mark("Options of the method's own, key=value each"),
+        0,
+    ),
+    (
         "Continuity",
         "App::PropertyEnumeration",
         "Fill",
@@ -205,6 +212,7 @@ class Request:
             gap=obj.Gap.Value,
             angle=obj.Angle.Value,
             curvature=obj.Curvature,
+            own=dict(entry.split("=", 1) for entry in obj.MethodOptions if "=" in entry),
             one_face=obj.OneFace,
             all_loops=obj.AllLoops,
         )
@@ -239,6 +247,7 @@ def set_options(obj, options, through=()):
     base = obj.Base[0]
     obj.Base = (base, [f"Edge{edge}" for edge in options.edges])
     _set_choice(obj, "Method", methods(), options.method)
+    obj.MethodOptions = [f"{key}={value}" for key, value in options.own.items()]
     obj.Continuity = options.continuity
     for wanted in ("G0", "G1", "G2"):
         edges = [f"Edge{edge}" for edge, asked in options.sides.items() if asked == wanted]

@@ -18,6 +18,7 @@ class FillOptions:
     all_loops    rims and doubtful loops too
     sides        {edge: "G2"}: the continuity of single sides
     points       to pass through, as (x, y, z)
+    own          {key: value}: the method's own options (program.options_of)
     """
 
     def __init__(self, edges=(), method=None, continuity="auto", sides=None, points=(), **more):
@@ -29,6 +30,7 @@ class FillOptions:
         self.gap = more.pop("gap", None) or settings.gap()
         self.angle = more.pop("angle", None) or settings.angle()
         self.curvature = more.pop("curvature", None) or settings.curvature()
+        self.own = {key: str(value) for key, value in (more.pop("own", None) or {}).items()}
         self.one_face = more.pop("one_face", False)
         self.all_loops = more.pop("all_loops", False)
         if more:
@@ -51,6 +53,8 @@ class FillOptions:
         if self.sides:
             sides = (f"{number(edge)}={wanted}" for edge, wanted in sorted(self.sides.items()))
             words += ["--edge-continuity", ",".join(sides)]
+        for key, value in self.own.items():
+            words += ["--option", f"{key}={value}"]
         if self.all_loops:
             words.append("--all-loops")
         return words

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Where the program `suture` is, and how to get it."""
 
+import json
 import os
 import shutil
 import subprocess  # nosec B404: Audited: only the program itself is run, without a shell
@@ -70,24 +71,34 @@ def environment():
     return {key: value for key, value in os.environ.items() if key not in _BUNDLE_VARIABLES}
 
 
-_methods = {}
+_USUAL = [{"id": name} for name in ("auto", "extend", "plane", "mvs", "occt")]
+_tables = {}
 
 
 def methods():
-    """The fill methods of the program that is there, `auto` first; a usual few without one."""
+    """The names of the fill methods of the program that is there, `auto` first; the usual ones where
+    there is none."""
+    return [method["id"] for method in _table()]
+
+
+def options_of(method):
+    """The options of a method's own: [{"key", "value", "text"}, ...]."""
+    return next((row.get("options", []) for row in _table() if row["id"] == method), [])
+
+
+def _table():
+    """What `suture methods` has, asked for once."""
     try:
         path = find()
         key = (path, Path(path).stat().st_mtime)
-        if key not in _methods:
-            _methods[key] = _ask_for_methods(path)
-        return _methods[key]
+        if key not in _tables:
+            _tables[key] = _ask_for_methods(path)
+        return _tables[key]
     except (ProgramMissing, OSError, ValueError, KeyError, subprocess.SubprocessError):
-        return ["auto", "extend", "plane", "mvs", "occt"]
+        return _USUAL
 
 
 def _ask_for_methods(path):
-    import json
-
     done = subprocess.run(  # nosec B603: Audited: a list of arguments, no shell
         [path, "methods", "--json"],
         stdin=subprocess.DEVNULL,
@@ -96,7 +107,7 @@ def _ask_for_methods(path):
         timeout=10,
         check=True,
     )
-    return [method["id"] for method in json.loads(done.stdout)["methods"]]
+    return json.loads(done.stdout)["methods"]
 
 
 def _runs(path):

@@ -3,7 +3,8 @@
 
 Everything but `fill` goes to the real program, SUTURE_PROGRAM. SUTURE_BEHAVIOUR says what `fill`
 does: slow (takes a minute, and leaves a child behind that ignores SIGTERM, as it does itself),
-crash, garbage (no JSON), damaged (an output that is cut short), empty (JSON without its keys).
+crash, garbage (no JSON), damaged (an output that is cut short), empty (JSON without its keys). With
+`options` mvs has an option `bend`, of which the real program knows nothing; 0.5 is all it takes.
 """
 
 import json
@@ -39,8 +40,30 @@ def damaged():
     sys.exit(done.returncode)
 
 
+def options():
+    words = sys.argv[1:]
+    if words[0] == "methods":
+        answer = json.loads(subprocess.run([PROGRAM, *words], capture_output=True).stdout)
+        for method in answer["methods"]:
+            if method["id"] == "mvs":
+                method["options"] = [
+                    {"key": "bend", "value": "NUMBER", "text": "how much it bends"}
+                ]
+        print(json.dumps(answer))
+        return
+    if "--option" in words:
+        place = words.index("--option")
+        if words[place + 1] != "bend=0.5":
+            sys.exit(f"what is {words[place + 1]}?")
+        del words[place : place + 2]
+    os.execv(PROGRAM, [PROGRAM, *words])
+
+
 def main():
     behaviour = os.environ.get("SUTURE_BEHAVIOUR", "slow")
+    if behaviour == "options":
+        options()
+        return
     if sys.argv[1] != "fill":
         os.execv(PROGRAM, [PROGRAM, *sys.argv[1:]])
     if behaviour == "slow":

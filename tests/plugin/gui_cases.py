@@ -192,6 +192,27 @@ def through(driver):
     driver.said["followed"] = min(face.distToShape(probe.Shape)[0] for face in new)
 
 
+def own_option(driver):
+    """A method has an option of its own: its line appears, and what is typed is computed with."""
+    document, obj = open_example(driver)
+    yield driver.pause(0.5)
+    driver.tool("Suture_Fill")
+    yield driver.until("the preview", lambda: done(driver))
+    driver.said["before"] = driver.there("SutureOption_bend")
+    driver.find("SutureMethod", QtGui.QComboBox).setCurrentText("mvs")
+    yield driver.until("the line", lambda: driver.there("SutureOption_bend"))
+    line = driver.find("SutureOption_bend", QtGui.QLineEdit)
+    driver.said["tip"] = line.toolTip()
+    line.setText("0.5")
+    line.editingFinished.emit()
+    yield driver.until("a new preview", lambda: not done(driver))
+    yield driver.until("its end", lambda: done(driver))
+    driver.picture("own_option")
+    driver.press(OK)
+    yield driver.until("the panel to close", lambda: not driver.dialog_open())
+    driver.said["kept"] = list(document.getObject("Filled").MethodOptions)
+
+
 def done(driver):
     return driver.there("SutureStatus") and "filled" in driver.status()
 

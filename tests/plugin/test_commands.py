@@ -1,6 +1,7 @@
 """Every command of the workbench as a function, on real shapes."""
 
 import json
+import os
 import subprocess
 import tempfile
 import unittest
@@ -18,7 +19,7 @@ from headless import (
 
 import FreeCAD as App  # noqa: E402
 import Part  # noqa: E402
-from suture_workbench import api, reports  # noqa: E402
+from suture_workbench import api, program, reports  # noqa: E402
 from suture_workbench.errors import SutureError  # noqa: E402
 
 
@@ -122,6 +123,19 @@ class Commands(Case):
         edges = [hole.edges[0] for hole in api.find_holes(base).report.holes]
         self.assertTrue(api.fill(base, edges=edges).Closed)
         self.assertRaises(SutureError, api.fill, base, edges=edges, one_face=True)
+
+    def test_options_of_a_methods_own_reach_the_program_and_stay_with_the_object(self):
+        self.misbehave("options")
+        self.assertEqual([option["key"] for option in program.options_of("mvs")], ["bend"])
+        filled = api.fill(self.add(example()), method="mvs", own={"bend": 0.5})
+        self.assertEqual(filled.MethodOptions, ["bend=0.5"])
+        filled.touch()
+        self.document.recompute()
+        self.assertEqual(filled.State, ["Up-to-date"])
+        os.environ["SUTURE_EXE"] = PROGRAM
+        with self.assertRaises(SutureError) as caught:
+            api.fill(filled.Base[0], method="mvs", own={"no_such": 1})
+        self.assertIn("no_such", str(caught.exception))
 
     def test_check_can_be_told_profile_limits_and_edges(self):
         solid = self.add(api.fill(self.add(example())).Shape)

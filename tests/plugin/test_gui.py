@@ -181,6 +181,11 @@ class Window(unittest.TestCase):
         self.assertLess(said["distance"], 0.002)
         self.assertLess(said["followed"], 0.002)
 
+    def test_a_methods_own_option_is_shown_and_used(self):
+        said, _ = carry_out("gui_cases.own_option", SUTURE_EXE=BAD, SUTURE_BEHAVIOUR="options")
+        self.assertEqual((said["before"], said["tip"]), (False, "how much it bends"))
+        self.assertEqual(said["kept"], ["bend=0.5"])
+
     def test_it_speaks_german_where_freecad_does(self):
         said, _ = carry_out("gui_cases.german", language="German")
         self.assertEqual(said["button"], "Löcher finden…")

@@ -11,6 +11,7 @@ from ..options import CONTINUITIES, FillOptions
 from ..program import methods
 from . import failures, overlay
 from .holes_tree import HolesTree
+from .method_options import MethodOptions
 from .progress import Watcher, run_with_dialog
 from .sides_table import SidesTable
 from .through_list import ThroughList
@@ -60,6 +61,9 @@ class FillPanel(Panel):
         self.sides = SidesTable(self.tree, self.item)
         self.method = self._combo("SutureMethod", methods(), settings.method())
         self.continuity = self._combo("SutureContinuity", CONTINUITIES, "auto")
+        self.own = MethodOptions()
+        self.own.show_method(self.method.currentText())
+        self.method.currentTextChanged.connect(self.own.show_method)
         self.gap = number_box(settings.gap(), "mm", translate("Largest gap"))
         self.angle = number_box(settings.angle(), "°", translate("Largest angle of tangent joins"))
         self.curvature = number_box(
@@ -86,6 +90,7 @@ class FillPanel(Panel):
         self.sides.setFixedHeight(130)
         self.layout.addWidget(self.tree)
         self.layout.addLayout(choices)
+        self.layout.addWidget(self.own)
         self.layout.addLayout(limits)
         for widget in (self.preview, self.status, self.sides, self.one_face, self.through):
             self.layout.addWidget(widget)
@@ -100,6 +105,7 @@ class FillPanel(Panel):
             self.preview.toggled,
             self.sides.changed,
             self.through.changed,
+            self.own.changed,
         ):
             signal.connect(self._changed)
 
@@ -115,6 +121,7 @@ class FillPanel(Panel):
             if combo.findText(value) < 0:
                 combo.addItem(value)
             combo.setCurrentText(value)
+        self.own.set(options.own)
         self.gap.setValue(options.gap)
         self.angle.setValue(options.angle)
         self.curvature.setValue(options.curvature)
@@ -138,6 +145,7 @@ class FillPanel(Panel):
             continuity=self.continuity.currentText(),
             sides=self.sides.asked(),
             points=self.through.points,
+            own=self.own.values(),
             gap=self.gap.value(),
             angle=self.angle.value(),
             curvature=self.curvature.value(),

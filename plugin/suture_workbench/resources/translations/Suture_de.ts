@@ -45,6 +45,11 @@
     </message>
     <message>
       <location filename="suture_workbench/feature.py" />
+      <source>Options of the method's own, key=value each</source>
+      <translation>Eigene Einstellungen des Verfahrens, je Schlüssel=Wert</translation>
+    </message>
+    <message>
+      <location filename="suture_workbench/feature.py" />
       <source>How the new faces join: G0 position, G1 tangent, G2 curvature</source>
       <translation>Wie die neuen Flächen anschließen: G0 Position, G1 Tangente, G2 Krümmung</translation>
     </message>
@@ -756,6 +761,11 @@ oder tragen Sie, wenn es schon da ist, seinen Pfad unter Bearbeiten &gt; Einstel
       <location filename="suture_workbench/reports.py" />
       <source>Edge numbers are those after the loose faces were sewn.</source>
       <translation>Die Kantennummern gelten nach dem Zusammennähen der losen Flächen.</translation>
+    </message>
+    <message>
+      <location filename="suture_workbench/reports.py" />
+      <source>Hole {} passes {} points within {:.2g} mm.</source>
+      <translation>Loch {}: {} Punkte auf {:.2g} mm genau getroffen.</translation>
     </message>
     <message>
       <location filename="suture_workbench/reports.py" />
