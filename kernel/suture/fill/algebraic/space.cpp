@@ -30,6 +30,10 @@ Space solve(const System<double>& system, double tolerance) {
     transposed.setThreshold(tolerance);
     space.rank = static_cast<int>(transposed.rank());
     space.dimension = system.columns - space.rank;
+    space.basis = MatrixXd::Zero(system.image_rows, 0);
+    if (space.dimension == 0) {
+        return space;
+    }
     // The null space: what is orthogonal to all rows.
     MatrixXd null = MatrixXd::Zero(system.columns, space.dimension);
     null.bottomRows(space.dimension).setIdentity();
