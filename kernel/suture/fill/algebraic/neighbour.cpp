@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace suture::algebraic {
 namespace {
@@ -57,13 +58,9 @@ Poly form_of(const Torus& s, const Unit& unit) {
     return square(to_axis + square(x[2]) + Poly(R * R - r * r)) - (4.0 * R * R) * to_axis;
 }
 
-/// The one plane or quadric through all points; the largest distance of one from the best.
-struct Recognised {
-    std::optional<Poly> form;
-    double distance = INFINITY;
-};
-
-Recognised recognise(const std::vector<Vector3d>& points, int degree, double distance) {
+/// The plane or quadric through all points, if there is one. Distances are to first order, which is
+/// right where they are small.
+std::optional<Poly> recognise(const std::vector<Vector3d>& points, int degree, double distance) {
     MatrixXd A(static_cast<Eigen::Index>(points.size()), monomial_count(degree));
     for (std::size_t n = 0; n < points.size(); ++n) {
         A.row(static_cast<Eigen::Index>(n)) = monomial_jets(degree, points[n]).value;
@@ -72,16 +69,13 @@ Recognised recognise(const std::vector<Vector3d>& points, int degree, double dis
     const VectorXd c = svd.matrixV().rightCols(1);
     Poly form = Poly::zero(degree);
     std::copy(c.data(), c.data() + c.size(), form.coefficients.begin());
-    Recognised result;
-    result.distance = 0.0;
     for (const Vector3d& point : points) {
         const ValueAndGradient f = evaluate(form, point);
-        result.distance = std::max(result.distance, std::abs(f.value) / f.gradient.norm());
+        if (!(std::abs(f.value) <= distance * f.gradient.norm())) {
+            return std::nullopt;
+        }
     }
-    if (result.distance <= distance) {
-        result.form = form;
-    }
-    return result;
+    return form;
 }
 
 /// Points all over a B-spline's domain, which is where its pieces may differ.
@@ -106,17 +100,15 @@ std::vector<Vector3d> points_of(const SplineSurface& surface, const Unit& unit) 
 Result<Poly> recognised(const SplineSurface& surface, const Ribbon& ribbon, const Unit& unit,
                         double distance) {
     const std::vector<Vector3d> points = points_of(surface, unit);
-    Recognised best;
     for (const int degree : {1, 2}) {
-        best = recognise(points, degree, distance / unit.size);
-        if (best.form) {
-            return *best.form;
+        if (const auto form = recognise(points, degree, distance / unit.size)) {
+            return *form;
         }
     }
     return fail(ErrorCode::Refused,
-                "{}: the neighbour is a B-spline surface that is no plane and no quadric: the "
-                "nearest quadric is {:.3g} away, more than {:.3g}",
-                name_of(ribbon), best.distance * unit.size, distance);
+                "{}: the neighbour is a B-spline surface that is no plane and no quadric to within "
+                "{:.3g}",
+                name_of(ribbon), distance);
 }
 
 }  // namespace

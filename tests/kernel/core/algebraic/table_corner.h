@@ -25,7 +25,7 @@ inline const char* kCylinder = "(x-1)^2 + (y-1)^2 - 1";
 /// Corners in the order of the sides below: side i runs from corner i to corner i + 1.
 inline const std::vector<Point<Rational>> kCorners = {{0, 1, 1}, {1, 1, 0}, {1, 0, 1}};
 inline const Point<Rational> kCentre = {1, 1, 1};
-inline const Point<Rational> kOuter = {0, 0, 0};
+inline const Point<Rational> kOuter = {Rational(2, 3), Rational(2, 3), Rational(2, 3)};
 
 /// f1 at y = 1, f2 at x = 1, f3 at z = 1.
 inline std::vector<Side<Rational>> sides(int k = 1) {
