@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Drawings in the 3D view that belong to no document: outlines, previews, markers, zebra, combs."""
 
-import math
-
 import FreeCADGui as Gui
 from pivy import coin
 
@@ -122,33 +120,6 @@ class Overlay:
         for node in nodes:
             part.addChild(node)
         self._body.addChild(part)
-
-
-def outline(edge, deflection):
-    """An edge as a polyline."""
-    return edge.discretize(Deflection=deflection) if edge.Length > 0 else []
-
-
-def fineness(shape):
-    """A deflection at which a shape looks round."""
-    return max(shape.BoundBox.DiagonalLength * 5e-4, 1e-6)
-
-
-def mesh_of(face, deflection):
-    """(points, normals, triangles) of a face, with the surface's own normals."""
-    points, triangles = face.tessellate(deflection)
-    # The nodes' parameters come in another order: found again by place, else by projection.
-    digits = 3 - math.floor(math.log10(deflection))
-    parameters = {_rounded(face.valueAt(u, v), digits): (u, v) for u, v in face.getUVNodes()}
-    normals = []
-    for point in points:
-        u, v = parameters.get(_rounded(point, digits)) or face.Surface.parameter(point)
-        normals.append(tuple(face.normalAt(u, v)))
-    return [tuple(point) for point in points], normals, triangles
-
-
-def _rounded(point, digits):
-    return tuple(round(x, digits) for x in point)
 
 
 _VERTEX = """
