@@ -13,7 +13,7 @@ def failures(driver):
     """A refused hole: a sentence, its edges selected; a missing program: how to get it."""
     document, obj = open_example(driver)
     yield driver.pause(0.5)
-    driver.tool("Suture_Fill")
+    yield from driver.tool("Suture_Fill")
     yield driver.until("the panel", lambda: driver.there("SutureMethod"))
     driver.find("SutureMethod", QtGui.QComboBox).setCurrentText("extend")
     yield driver.until("the refusal", lambda: "refused" in driver.status())
@@ -45,7 +45,7 @@ def edit(driver):
     driver.pick("Edge9", middle)
     yield driver.until("the edge", lambda: bool(Gui.Selection.getSelectionEx()))
     driver.said["picked"] = list(Gui.Selection.getSelectionEx()[0].SubElementNames)
-    driver.tool("Suture_Fill")
+    yield from driver.tool("Suture_Fill")
     yield driver.until(
         "the preview", lambda: driver.there("SutureStatus") and "within" in driver.status()
     )
@@ -85,7 +85,8 @@ def files(driver):
 
     Gui.activateWorkbench("SutureWorkbench")
     driver.later(lambda: Gui.showPreferences("Suture", 0))
-    yield driver.pause(1.5)
+    yield driver.until("the page", lambda: driver.there("SutureProgramFound"))
+    yield driver.pause(0.5)
     driver.said["found"] = driver.find("SutureProgramFound", QtGui.QLabel).text()
     driver.picture_of_all("9_preferences")
     path = driver.find("SutureProgramPath", QtGui.QLineEdit)
@@ -106,12 +107,11 @@ def files(driver):
         shutil.copyfile(ROOT / "docs/examples" / f"{name}.step", sources[-1])
     broken = OUT / "broken.step"
     broken.write_text("ISO-10303-21; nothing more", encoding="ascii")
-    driver.tool("Suture_Convert")
+    yield from driver.tool("Suture_Convert")
     yield driver.until("the panel", lambda: driver.there("SutureFiles"))
     panel = driver.find("ConvertPanel")
     driver.later(lambda: driver.click(panel.findChildren(QtGui.QPushButton)[0]))
-    yield driver.pause(1.0)
-    driver.choose_file(" ".join(f'"{path}"' for path in [*sources, broken]), "Models")
+    yield from driver.choose_file(" ".join(f'"{path}"' for path in [*sources, broken]), "Models")
     yield driver.until(
         "the list", lambda: driver.find("SutureFiles", QtGui.QListWidget).count() == 3
     )
@@ -138,7 +138,7 @@ def containers(driver):
     yield driver.pause(0.5)
     Gui.Selection.clearSelection()
     Gui.Selection.addSelection(document.Name, "Part", f"{obj.Name}.Edge19")
-    driver.tool("Suture_Fill")
+    yield from driver.tool("Suture_Fill")
     yield driver.until(
         "the preview", lambda: driver.there("SutureStatus") and "within" in driver.status()
     )
@@ -172,7 +172,7 @@ def through(driver):
     yield driver.pause(0.5)
     Gui.Selection.clearSelection()
     Gui.Selection.addSelection(obj)
-    driver.tool("Suture_Fill")
+    yield from driver.tool("Suture_Fill")
     yield driver.until("the preview", lambda: done(driver))
     driver.find("SutureMethod", QtGui.QComboBox).setCurrentText("mvs")
     Gui.Selection.clearSelection()
@@ -196,7 +196,7 @@ def own_option(driver):
     """A method has an option of its own: its line appears, and what is typed is computed with."""
     document, obj = open_example(driver)
     yield driver.pause(0.5)
-    driver.tool("Suture_Fill")
+    yield from driver.tool("Suture_Fill")
     yield driver.until("the preview", lambda: done(driver))
     driver.said["before"] = driver.there("SutureOption_bend")
     driver.find("SutureMethod", QtGui.QComboBox).setCurrentText("mvs")
@@ -224,7 +224,7 @@ def german(driver):
     buttons = driver.window.findChildren(QtGui.QToolButton)
     actions = [button.defaultAction() for button in buttons if button.defaultAction()]
     driver.said["button"] = [a.text() for a in actions if a.objectName() == "Suture_FindHoles"][0]
-    driver.tool("Suture_Fill")
+    yield from driver.tool("Suture_Fill")
     yield driver.until("the hole", lambda: driver.there("SutureHoles") and rows(driver))
     driver.said["row"] = [rows(driver)[0].text(column) for column in range(3)]
     boxes = driver.find("FillPanel").findChildren(QtGui.QDoubleSpinBox)
