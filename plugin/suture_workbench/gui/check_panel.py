@@ -56,7 +56,7 @@ class CheckPanel(Panel):
         super().__init__()
         self.item = item
         self.shape = places.local_shape(item.obj)
-        self.placement = places.to_document(item.obj)
+        self.placement = places.shown_at(item)
         self.report = self.measured = None
         self._hidden = set()
         self._lines = overlay.Overlay(self.placement)

@@ -32,7 +32,7 @@ class FillPanel(Panel):
         self.item, self.edited = item, edited
         self._ticked, self._all = ticked, ticked is None
         self._shown = None  # (key, request, Filled) of the preview
-        self._build(places.to_document(item.obj))
+        self._build(places.shown_at(item))
         self.shape = places.local_shape(item.obj)
         self._finder = Watcher(self._found, self._failed, self.status.advance)
         self._filler = Watcher(self._previewed, self._failed, self.status.advance)

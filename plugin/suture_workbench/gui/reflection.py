@@ -51,7 +51,7 @@ def _toggle(layers, item, draw):
     if key in layers:
         layers.pop(key).close()
         return False
-    layer = overlay.Overlay(places.to_document(item.obj))
+    layer = overlay.Overlay(places.shown_at(item))
     draw(layer, places.local_shape(item.obj))
     layers[key] = layer
     _watch()
