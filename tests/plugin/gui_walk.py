@@ -77,6 +77,11 @@ def walk(driver):
     driver.look(1.1, 0.9, 0.8)
     yield driver.pause(0.7)
     driver.picture("7_zebra")
+    driver.click(driver.find("SutureExportReport"))
+    yield from driver.choose_file(OUT / "report.html", "look at")
+    yield driver.until("the report", (OUT / "report.html").exists)
+    yield driver.until("its end", lambda: not driver.there("SutureProgress"))
+    driver.said["report"] = (OUT / "report.html").read_text(encoding="utf-8")[:15].lower()
     driver.press(CLOSE)
     yield driver.until("the panel to close", lambda: not driver.dialog_open())
 
