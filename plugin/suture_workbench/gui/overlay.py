@@ -52,13 +52,14 @@ class Overlay:
         style.lineWidth = width
         lines = coin.SoIndexedLineSet()
         lines.coordIndex.setValues(0, len(indices), indices)
-        self._add(_flat(color), style, _coordinates(points), lines)
+        self._add(_flat(color), _in_front(), style, _coordinates(points), lines)
 
     def markers(self, points, color):
         """Draws a cross at each point."""
         markers = coin.SoMarkerSet()
         markers.markerIndex = coin.SoMarkerSet.DIAMOND_FILLED_9_9
-        self._add(_flat(color), _coordinates([tuple(point) for point in points]), markers)
+        places = _coordinates([tuple(point) for point in points])
+        self._add(_flat(color), _in_front(), places, markers)
 
     def mesh(self, points, normals, triangles, color, transparency=0.0, stripes=None):
         """Draws a shaded mesh; with `stripes` it mirrors them."""
@@ -169,6 +170,14 @@ def _coordinates(points):
     node = coin.SoCoordinate3()
     node.point.setValues(0, len(points), points)
     return node
+
+
+def _in_front():
+    """Lets lines win against faces that they lie on: the faces are drawn as triangles, which reach
+    over a curved edge. What is farther behind stays hidden."""
+    depth = coin.SoDepthBuffer()
+    depth.range = (0.0, 0.99)
+    return depth
 
 
 def _flat(color):
