@@ -226,6 +226,29 @@ def near_misses(driver):
     driver.said["loose"] = legend(driver)
 
 
+def overlays(driver):
+    """The commands for stripes and combs show and hide; a changed shape loses its drawings."""
+    document, obj = open_example(driver)
+    yield driver.pause(0.5)
+    Gui.Selection.addSelection(document.Name, obj.Name, "Edge1")
+    counts = driver.said["counts"] = []
+    for command in ("Suture_Zebra", "Suture_Combs", "Suture_Zebra"):
+        counts.append(drawn())
+        yield from driver.tool(command)
+        yield driver.until("the drawing", lambda: drawn() != counts[-1])
+        yield driver.pause(0.3)
+    counts.append(drawn())
+    obj.Placement = App.Placement(App.Vector(1, 0, 0), App.Rotation())
+    counts.append(drawn())
+
+
+def drawn():
+    """How many layers of ours the view has."""
+    scene = Gui.ActiveDocument.ActiveView.getSceneGraph()
+    names = [scene.getChild(index).getName().getString() for index in range(scene.getNumChildren())]
+    return names.count("SutureOverlay")
+
+
 def table(driver):
     return driver.there("SutureEdges") and driver.find("SutureEdges", QtGui.QTreeWidget)
 

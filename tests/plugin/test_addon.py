@@ -66,6 +66,17 @@ class Words(Case):
             self.assertGreater(
                 (tip - middle).Length, (foot - middle).Length, "outside of what bends"
             )
+        plane = next(f for f in combs.faces_at(solid, 1) if "Plane" in f.Surface.TypeId)
+        flat = combs.across(plane.Edges[0], plane)
+        self.assertEqual((len(flat.curvatures), max(map(abs, flat.curvatures))), (41, 0.0))
+        ball = Part.makeSphere(5, App.Vector(), App.Vector(0, 0, 1), 0, 90)
+        (round_face,) = (face for face in ball.Faces if "Sphere" in face.Surface.TypeId)
+        rim = next(n for n, e in enumerate(ball.Edges, 1) if not e.Degenerated and e.isClosed())
+        comb = combs.across(ball.Edges[rim - 1], round_face)
+        self.assertEqual(len(comb.curvatures), 41)
+        for curvature in comb.curvatures:
+            self.assertAlmostEqual(abs(curvature), 0.2, delta=1e-9)
+        self.assertGreater(len(combs.at_edges(ball, range(1, len(ball.Edges) + 1))), 2)
         arc = next(e for e in fillet.Edges if "Circle" in e.Curve.TypeId)
         self.assertLess(max(map(abs, combs.across(arc, fillet).curvatures)), 1e-9)
 

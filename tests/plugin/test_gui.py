@@ -197,6 +197,10 @@ class Window(unittest.TestCase):
         self.assertEqual(said["loose"], ["G1 tangent: 9", "sharp: 12"])
         self.assertEqual(said["one"], 1)
 
+    def test_stripes_and_combs_are_switched_and_go_with_the_shape(self):
+        said, _ = carry_out("gui_cases.overlays")
+        self.assertEqual(said["counts"], [0, 1, 2, 1, 0])
+
     def test_it_speaks_german_where_freecad_does(self):
         said, _ = carry_out("gui_cases.german", language="German")
         self.assertEqual(said["button"], "Löcher finden…")
