@@ -52,9 +52,13 @@ def _toggle(layers, item, draw):
         layers.pop(key).close()
         return False
     layer = overlay.Overlay(places.shown_at(item))
-    draw(layer, places.local_shape(item.obj))
-    layers[key] = layer
+    layers[key] = layer  # before the drawing: events go on meanwhile
     _watch()
+    try:
+        draw(layer, places.local_shape(item.obj))
+    except BaseException:
+        layers.pop(key, layer).close()
+        raise
     return True
 
 
