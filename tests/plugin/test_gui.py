@@ -64,6 +64,7 @@ def carry_out(scenario, language="English", **environment):
                 "LIBGL_ALWAYS_SOFTWARE": "1",
                 "QT_QPA_PLATFORM": "xcb",
                 "LC_ALL": "C.UTF-8",
+                "TMPDIR": folder,  # what a killed run leaves goes with it
             }
             | environment,
             stdin=subprocess.DEVNULL,
