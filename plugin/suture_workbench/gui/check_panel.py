@@ -20,6 +20,7 @@ _COLORS = {
     "free": (1.00, 0.55, 0.00),
     "G1": (0.10, 0.65, 0.20),
     "G2": (0.10, 0.40, 0.95),
+    "G3": (0.05, 0.20, 0.60),
     "sharp": (0.45, 0.45, 0.50),
 }
 _MARK = (1.0, 0.0, 0.6)
@@ -33,6 +34,7 @@ def class_name(key):
         "free": translate("free edge"),
         "G1": translate("G1 tangent"),
         "G2": translate("G2 curvature"),
+        "G3": translate("G3 change of curvature"),
         "sharp": translate("sharp"),
     }[key]
 
