@@ -1,0 +1,347 @@
+#include "suture/fill/concentric/retraction.h"
+
+#include "suture/base/contract.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace suture::concentric {
+namespace {
+
+using Eigen::Vector2d;
+
+/// The share of the free parameters beside a reflex vertex that its own cell gets at first, and
+/// what is left of it after so many halvings.
+constexpr double kFirstShare = 0.4;
+constexpr double kLeastShare = kFirstShare / 1024.0;
+
+/// A branch may be cut where its root sees all its sides from inside, by this share of the root's
+/// radius.
+constexpr double kClearance = 1e-3;
+
+/// Stops stand this share of the period apart: c walks every edge in some time.
+constexpr double kLeastTime = 1e-7;
+
+/// Rounds of moving parameters before a place counts as folded.
+constexpr int kRounds = 24;
+
+/// A stay at a node: the visits first..last of the walk, with all between them cut off.
+struct Stay {
+    int node = 0;
+    int first = 0;
+    int last = 0;
+    bool loose = false;  ///< c rests for all of it
+};
+
+/// Cuts the branches of the walk's tree.
+class Pruning {
+  public:
+    Pruning(const MedialAxis& axis, const Sites& sites, double salience)
+        : axis_(axis), sites_(sites), count_(static_cast<int>(axis.walk.size())) {
+        const auto widest = std::max_element(
+            axis.nodes.begin(), axis.nodes.end(),
+            [](const MedialNode& a, const MedialNode& b) { return a.radius < b.radius; });
+        limit_ = salience * widest->radius;
+        const auto root = static_cast<int>(widest - axis.nodes.begin());
+        start_ = 0;
+        while (visit(start_).node != root || visit(start_ + count_ - 1).node == root) {
+            ++start_;
+        }
+        for (int k = start_; k < start_ + count_; ++k) {
+            if (!stays_.empty() && stays_.back().node == visit(k).node) {
+                stays_.back().last = k;
+            } else {
+                stays_.push_back({visit(k).node, k, k});
+            }
+        }
+        // The walk ends where it began.
+        stays_.push_back(stays_.front());
+        stays_.back().first += count_;
+        stays_.back().last += count_;
+        next_.assign(stays_.size(), -1);
+        std::vector<int> seen(axis.nodes.size(), -1);
+        for (int k = static_cast<int>(stays_.size()) - 1; k >= 0; --k) {
+            int& later = seen[static_cast<std::size_t>(stay(k).node)];
+            next_[static_cast<std::size_t>(k)] = later;
+            later = k;
+        }
+    }
+
+    [[nodiscard]] std::vector<Stay> stays() {
+        walk(0, static_cast<int>(stays_.size()) - 1);
+        // The first and the last are the same stay: the visits that end it come before.
+        if (kept_.size() > 1) {
+            kept_.front().first = kept_.back().first - count_;
+            kept_.pop_back();
+        }
+        return kept_;
+    }
+
+  private:
+    const MedialAxis& axis_;
+    const Sites& sites_;
+    int count_;
+    double limit_ = 0.0;
+    int start_ = 0;
+    std::vector<Stay> stays_;
+    std::vector<int> next_;  ///< the next stay at the same node
+    std::vector<Stay> kept_;
+
+    [[nodiscard]] const Visit& visit(int k) const {
+        return axis_.walk[static_cast<std::size_t>(k % count_)];
+    }
+    [[nodiscard]] const Stay& stay(int k) const { return stays_[static_cast<std::size_t>(k)]; }
+    [[nodiscard]] const MedialNode& node(int n) const {
+        return axis_.nodes[static_cast<std::size_t>(n)];
+    }
+
+    /// Keeps what is not cut of the part of the walk between two stays at one node.
+    void walk(int low, int high) {
+        Stay now = stay(low);
+        for (int k = low; k != high;) {
+            const int m = next_[static_cast<std::size_t>(k)];
+            if (may_go(k, m)) {
+                now.last = stay(m).last;
+            } else {
+                kept_.push_back(now);
+                walk(k + 1, m - 1);
+                now = stay(m);
+            }
+            k = m;
+        }
+        kept_.push_back(now);
+    }
+
+    /// Whether the branch between stays k and m at its root may be cut. The boundary's points
+    /// farthest from the root are corners, where the seams begin.
+    [[nodiscard]] bool may_go(int k, int m) const {
+        if (m == k + 2) {
+            return true;  // a seam before its first node
+        }
+        const MedialNode& root = node(stay(k).node);
+        for (int v = stay(k).last; v <= stay(m).first; ++v) {
+            const MedialNode& there = node(visit(v).node);
+            if ((there.point - root.point).norm() - there.radius - root.radius > limit_) {
+                return false;
+            }
+        }
+        for (int v = stay(k).last; v <= stay(m).first; ++v) {
+            if (!sees(root, visit(v))) {
+                return false;
+            }
+        }
+        return limit_ > 0.0;
+    }
+
+    /// Whether a node lies well inside of the sides that a visit belongs to.
+    [[nodiscard]] bool sees(const MedialNode& from, const Visit& visit) const {
+        const int n = sites_.count();
+        const int first = visit.at_vertex ? visit.site + n - 1 : visit.site;
+        for (int side = first; side <= visit.site + (visit.at_vertex ? n : 0); ++side) {
+            const Vector2d a = sites_.point(sites_.grid(side));
+            const Vector2d along = sites_.point(sites_.grid(side + 1)) - a;
+            const Vector2d d = from.point - a;
+            const double height = (along.x() * d.y() - along.y() * d.x()) / along.norm();
+            if (height < kClearance * from.radius) {
+                return false;
+            }
+        }
+        return true;
+    }
+};
+
+/// Finds parameters for the stays at which the map does not fold.
+class Timing {
+  public:
+    Timing(const MedialAxis& axis, const Sites& sites, const BoundaryPieces& boundary,
+           const std::vector<double>& corners, std::vector<Stay> stays)
+        : axis_(axis),
+          sites_(sites),
+          boundary_(boundary),
+          corners_(corners),
+          stays_(std::move(stays)),
+          count_(static_cast<int>(axis.walk.size())),
+          shares_(sites.vertices.size(), kFirstShare),
+          ends_(sites.vertices.size()) {
+        for (int i = 0; i < sites.count(); ++i) {
+            const auto k = static_cast<std::size_t>(i);
+            const double middle = sites.parameter(i, 0.5);
+            ends_[k] = {middle, middle};
+            used_.emplace_back(false);
+        }
+        for (const Visit& visit : axis.walk) {
+            if (!visit.at_vertex) {
+                const auto k = static_cast<std::size_t>(visit.site);
+                ends_[k] = used_[k] ? Ends{std::min(ends_[k].first, visit.place),
+                                           std::max(ends_[k].last, visit.place)}
+                                    : Ends{visit.place, visit.place};
+                used_[k] = true;
+            }
+        }
+    }
+
+    [[nodiscard]] tl::expected<ConcentricCurve, Folds> find() {
+        for (int round = 0;; ++round) {
+            ConcentricCurve curve = timed();
+            const std::vector<Course> all = courses(curve);
+            std::vector<Course> folded;
+            for (const int k : folded_courses(boundary_, curve)) {
+                folded.push_back(all[static_cast<std::size_t>(k)]);
+            }
+            if (folded.empty()) {
+                return curve;
+            }
+            if (round == kRounds || !adapt(curve, folded)) {
+                return tl::unexpected(Folds{folded});
+            }
+        }
+    }
+
+  private:
+    struct Ends {
+        double first = 0.0;
+        double last = 0.0;
+    };
+    const MedialAxis& axis_;
+    const Sites& sites_;
+    const BoundaryPieces& boundary_;
+    const std::vector<double>& corners_;
+    std::vector<Stay> stays_;
+    int count_;
+    std::vector<double> shares_;  ///< of each reflex vertex
+    std::vector<Ends> ends_;      ///< of the feet on each side
+    std::vector<char> used_;
+
+    [[nodiscard]] const Visit& visit(int k) const {
+        return axis_.walk[static_cast<std::size_t>(((k % count_) + count_) % count_)];
+    }
+
+    [[nodiscard]] double parameter(int k) const {
+        const double turns = sites_.period * std::floor(static_cast<double>(k) / count_);
+        const Visit& v = visit(k);
+        if (!v.at_vertex) {
+            return turns + v.place;
+        }
+        const auto n = sites_.vertices.size();
+        const auto i = static_cast<std::size_t>(v.site);
+        const Sites::Vertex& vertex = sites_.vertices[i];
+        const double last_turn = i == 0 ? sites_.period : 0.0;
+        const double free_before = vertex.before - (ends_[(i + n - 1) % n].last - last_turn);
+        const double free_after = ends_[i].first - vertex.after;
+        const double low = vertex.before - shares_[i] * free_before;
+        const double high = vertex.after + shares_[i] * free_after;
+        const double middle = 0.5 * (vertex.before + vertex.after);
+        return turns + (v.place < 0.5 ? low + (middle - low) * 2.0 * v.place
+                                      : middle + (high - middle) * (2.0 * v.place - 1.0));
+    }
+
+    /// The corners in a range, on any turn: the first and the last.
+    [[nodiscard]] std::vector<double> corners_in(double first, double last) const {
+        const double slack = kLeastTime * sites_.period;
+        std::vector<double> found;
+        for (const double corner : corners_) {
+            const double turns = std::ceil((first - slack - corner) / sites_.period);
+            for (double s = corner + turns * sites_.period; s <= last + slack; s += sites_.period) {
+                found.push_back(std::clamp(s, first, last));
+            }
+        }
+        std::sort(found.begin(), found.end());
+        return found;
+    }
+
+    /// Where the boundary that belongs to a stay is farthest from its node.
+    [[nodiscard]] double tip(const Stay& stay) const {
+        const Vector2d& root = axis_.nodes[static_cast<std::size_t>(stay.node)].point;
+        double best = -1.0;
+        double at = 0.5 * (parameter(stay.first) + parameter(stay.last));
+        for (int k = stay.first; k <= stay.last; ++k) {
+            const MedialNode& there = axis_.nodes[static_cast<std::size_t>(visit(k).node)];
+            const double distance = (there.point - root).norm() - there.radius;
+            if (there.radius <= 0.0 && distance > best) {
+                best = distance;
+                at = parameter(k);
+            }
+        }
+        return at;
+    }
+
+    [[nodiscard]] Stop stop_of(const Stay& stay) const {
+        const double first = parameter(stay.first);
+        const double last = parameter(stay.last);
+        if (stay.loose) {
+            return {stay.node, first, last};
+        }
+        const std::vector<double> corners = corners_in(first, last);
+        if (!corners.empty()) {
+            return {stay.node, corners.front(), corners.back()};
+        }
+        const double at = std::clamp(tip(stay), first, last);
+        return {stay.node, at, at};
+    }
+
+    [[nodiscard]] ConcentricCurve timed() const {
+        ConcentricCurve curve;
+        curve.period = sites_.period;
+        for (const MedialNode& node : axis_.nodes) {
+            curve.nodes.push_back(node.point);
+        }
+        const double least = kLeastTime * sites_.period;
+        for (const Stay& stay : stays_) {
+            Stop stop = stop_of(stay);
+            if (!curve.stops.empty()) {
+                stop.from = std::max(stop.from, curve.stops.back().to + least);
+                stop.to = std::max(stop.to, stop.from);
+            }
+            curve.stops.push_back(stop);
+        }
+        return curve;
+    }
+
+    /// Moves the parameters beside the folds; false where nothing is left to move.
+    bool adapt(const ConcentricCurve& curve, const std::vector<Course>& folded) {
+        std::set<int> touched;
+        for (const Course& course : folded) {
+            for (int k = 0; k < curve.count(); ++k) {
+                const Stop here = curve.stop(k);
+                const Stop next = curve.stop(k + 1);
+                if (here.from <= course.from && course.to <= next.to) {
+                    touched.insert({k, (k + 1) % curve.count()});
+                }
+            }
+        }
+        bool changed = false;
+        std::set<int> vertices;
+        for (const int k : touched) {
+            Stay& stay = stays_[static_cast<std::size_t>(k)];
+            if (!stay.loose && stay.first != stay.last) {
+                stay.loose = true;
+                changed = true;
+                continue;
+            }
+            for (const int v : {stay.first, stay.last}) {
+                if (visit(v).at_vertex) {
+                    vertices.insert(visit(v).site);
+                }
+            }
+        }
+        for (const int v : vertices) {
+            double& share = shares_[static_cast<std::size_t>(v)];
+            if (share > kLeastShare) {
+                share *= 0.5;
+                changed = true;
+            }
+        }
+        return changed;
+    }
+};
+
+}  // namespace
+
+tl::expected<ConcentricCurve, Folds> retract(const MedialAxis& axis, const Sites& sites,
+                                             const BoundaryPieces& boundary,
+                                             const std::vector<double>& corners, double salience) {
+    return Timing(axis, sites, boundary, corners, Pruning(axis, sites, salience).stays()).find();
+}
+
+}  // namespace suture::concentric
