@@ -162,6 +162,10 @@ Result<FillOutcome> fill_holes(const TopoDS_Shape& shape, const occ::Numbering& 
     if (auto valid = validate_method(request.method); !valid) {
         return tl::unexpected(valid.error());
     }
+    if (auto valid = validate_options(request.method, options_of(request.method), request.options);
+        !valid) {
+        return tl::unexpected(valid.error());
+    }
     const auto loops = find_loops(shape, numbering);
     if (!loops) {
         return tl::unexpected(loops.error());

@@ -4,6 +4,7 @@
 #include "cli/methods.h"
 #include "cli/options.h"
 #include "cli/points_file.h"
+#include "suture/choose/choose.h"
 
 #include <fmt/format.h>
 #include <tbb/global_control.h>
@@ -34,6 +35,7 @@ struct FillOptions {
     std::filesystem::path output;
     std::string holes, edges;
     std::string method = "auto";
+    std::vector<std::string> own;
     std::string continuity = "auto";
     std::string edge_continuity;
     std::string occt_setting = "default";
@@ -91,6 +93,20 @@ Result<void> take_wishes(const FillOptions& options, FillRequest& request) {
     return take(parse_continuity(options.continuity), request.continuity);
 }
 
+/// The method's own options.
+Result<void> take_own(const FillOptions& options, FillRequest& request) {
+    for (const std::string& text : options.own) {
+        auto value = parse_option(options.method, options_of(options.method), text);
+        if (!value) {
+            return fail(ErrorCode::Usage, "--option: {}", value.error().message);
+        }
+        if (!request.options.insert(*value).second) {
+            return fail(ErrorCode::Usage, "--option: '{}' is given twice", value->first);
+        }
+    }
+    return {};
+}
+
 /// How, and how exactly.
 Result<void> take_limits(const FillOptions& options, FillRequest& request) {
     request.method = options.method;
@@ -135,7 +151,8 @@ Result<void> validate_fill(Command& command, FillOptions& options) {
     }
     for (const auto& result :
          {take_wishes(options, settings.request), take_limits(options, settings.request),
-          validate_sewing(settings.load), validate_mesh(options.mesh),
+          take_own(options, settings.request), validate_sewing(settings.load),
+          validate_mesh(options.mesh),
           expect_writable("-o", options.output, command.input, options.force)}) {
         if (!result) {
             return result;
@@ -162,6 +179,11 @@ void add_wishes(CLI::App& app, FillOptions& options) {
                    "Fill method (default auto: tries, measures, keeps the best); see `suture "
                    "methods`")
         ->option_text("ID");
+    app.add_option("--option", options.own,
+                   "An option that only this method has, as `suture methods` lists them; may be "
+                   "given several times")
+        ->allow_extra_args(false)
+        ->option_text("KEY=VALUE");
     app.add_option("--continuity", options.continuity,
                    "How the new face joins its neighbours: G0 (position), G1 (tangent), G2 "
                    "(curvature) or auto")

@@ -105,11 +105,34 @@ class FillJob {
         summary_.seconds.detect = watch.seconds();
         if (requests) {
             requests_ = std::move(*requests);
+            place_options();
             return pass_through();
         }
         // A model that only needed sewing is done; it is written below.
         const bool done = model_.sewing.changed && requests.error().code == ErrorCode::NothingToDo;
         return done ? Result<void>() : tl::unexpected(requests.error());
+    }
+
+    /// Positions and directions among the method's options are given in the model too.
+    void place_options() {
+        for (PartRequest& wanted : requests_) {
+            const gp_Trsf to_part = parts_[wanted.part].placement.Inverted().Transformation();
+            for (auto& [key, value] : wanted.request.options) {
+                gp_XYZ moved;
+                if (value.kind == OptionKind::Position) {
+                    moved = gp_Pnt(value.numbers[0], value.numbers[1], value.numbers[2])
+                                .Transformed(to_part)
+                                .XYZ();
+                } else if (value.kind == OptionKind::Direction) {
+                    moved = gp_Vec(value.numbers[0], value.numbers[1], value.numbers[2])
+                                .Transformed(to_part)
+                                .XYZ();
+                } else {
+                    continue;
+                }
+                value.numbers = {moved.X(), moved.Y(), moved.Z()};
+            }
+        }
     }
 
     /// Points are given in the model; the one part with the hole has coordinates of its own.

@@ -24,11 +24,19 @@ Outcome list_methods() {
     for (const MethodRow& row : method_rows()) {
         section.table.add({std::string(row.id), std::string(row.title), std::string(row.sides),
                            std::string(to_string(row.highest)), std::string(row.source)});
+        Json options = Json::array();
+        for (const MethodOption& option : row.options) {
+            section.notes.push_back(fmt::format("{} --option {}={}: {}", row.id, option.key,
+                                                option.values, option.text));
+            options.push_back(
+                {{"key", option.key}, {"value", option.values}, {"text", option.text}});
+        }
         methods.push_back({{"id", row.id},
                            {"title", row.title},
                            {"sides", row.sides},
                            {"highest_continuity", to_string(row.highest)},
-                           {"source", row.source}});
+                           {"source", row.source},
+                           {"options", std::move(options)}});
     }
     Outcome outcome;
     outcome.verdict = counted(static_cast<int>(method_rows().size()), "method");
@@ -43,7 +51,8 @@ std::vector<MethodRow> method_rows() {
     std::vector<MethodRow> rows{{"auto", "Tries what applies, measures, keeps the best", "any",
                                  Continuity::G2, "the methods below"}};
     for (const FillMethod& method : fill_methods()) {
-        rows.push_back({method.id, method.title, method.sides, method.highest, method.source});
+        rows.push_back(
+            {method.id, method.title, method.sides, method.highest, method.source, method.options});
     }
     rows.push_back({"occt", "OCCT's own filling, for comparison", "1 loop", Continuity::G2,
                     "BRepOffsetAPI_MakeFilling (OpenCASCADE)"});

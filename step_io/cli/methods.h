@@ -3,6 +3,7 @@
 #include "suture/base/result.h"
 #include "suture/fill/fill.h"
 
+#include <span>
 #include <string_view>
 #include <vector>
 
@@ -13,6 +14,7 @@ struct MethodRow {
     std::string_view id, title, sides;
     Continuity highest;
     std::string_view source;
+    std::span<const MethodOption> options = {};
 };
 
 [[nodiscard]] std::vector<MethodRow> method_rows();

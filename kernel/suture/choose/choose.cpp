@@ -50,10 +50,11 @@ std::vector<Attempt> attempts_for(const std::vector<BoundaryLoop>& loops, const 
     const bool automatic = request.method == "auto";
     std::vector<Attempt> attempts;
     for (const FillMethod& method : fill_methods()) {
-        if (automatic || request.method == method.id) {
-            attempts.push_back({std::string(method.id), [&, method] {
-                                    return method.fill(hole, {tolerance, request.progress});
-                                }});
+        if (automatic ? method.in_auto : request.method == method.id) {
+            attempts.push_back(
+                {std::string(method.id), [&, method] {
+                     return method.fill(hole, {tolerance, request.progress, request.options});
+                 }});
         }
     }
     if (automatic && position_only(hole)) {
@@ -164,6 +165,13 @@ Result<void> validate_method(const std::string& method) {
     }
     return fail(ErrorCode::Usage, "there is no method '{}'; the methods are {}, occt", method,
                 known);
+}
+
+std::span<const MethodOption> options_of(std::string_view method) {
+    const auto rows = fill_methods();
+    const auto row =
+        std::find_if(rows.begin(), rows.end(), [&](const FillMethod& m) { return m.id == method; });
+    return row == rows.end() ? std::span<const MethodOption>() : row->options;
 }
 
 Result<Choice> choose_fill(const std::vector<BoundaryLoop>& loops, const Hole& hole,

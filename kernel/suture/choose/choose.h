@@ -6,7 +6,9 @@
 #include "suture/model/patch.h"
 #include "suture/model/ribbon.h"
 
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace suture {
@@ -30,5 +32,8 @@ struct Choice {
 
 /// Whether --method takes this name; the Usage error lists those that exist.
 [[nodiscard]] Result<void> validate_method(const std::string& method);
+
+/// The options that a method of that name has; `auto` and `occt` have none.
+[[nodiscard]] std::span<const MethodOption> options_of(std::string_view method);
 
 }  // namespace suture

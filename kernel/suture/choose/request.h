@@ -2,6 +2,7 @@
 
 #include "suture/base/progress.h"
 #include "suture/base/tolerance.h"
+#include "suture/fill/option.h"
 #include "suture/model/continuity.h"
 #include "suture/occt_filling/plate.h"
 
@@ -21,6 +22,7 @@ struct FillRequest {
     std::vector<int> edges;               ///< EdgeN: the loops that contain them
     bool all_loops = false;               ///< rims and ambiguous loops too
     std::string method = "auto";
+    OptionValues options;                       ///< the method's own
     std::optional<Continuity> continuity;       ///< none: auto
     std::map<int, Continuity> edge_continuity;  ///< EdgeN -> continuity
     std::vector<Eigen::Vector3d> through;       ///< points that the one new face has to pass

@@ -3,6 +3,7 @@
 #include "suture/base/progress.h"
 #include "suture/base/result.h"
 #include "suture/base/tolerance.h"
+#include "suture/fill/option.h"
 #include "suture/model/patch.h"
 #include "suture/model/ribbon.h"
 
@@ -14,6 +15,7 @@ namespace suture {
 struct FillOptions {
     Tolerance tolerance;
     Progress progress;
+    OptionValues own;  ///< of the options that the method itself declares
 };
 
 /// A fill method: patches for a hole, or a refusal that names the ribbon and the reason.
@@ -27,6 +29,8 @@ struct FillMethod {
     std::string_view sides;   ///< how many sides it takes
     Continuity highest;       ///< the highest continuity it can reach
     FillFunction fill;
+    std::span<const MethodOption> options = {};  ///< its own, for --option
+    bool in_auto = true;  ///< whether `auto` tries it; else it is run by --method only
 };
 
 /// Every method that needs nothing but the ribbons, in the order in which `auto` tries them.

@@ -50,6 +50,8 @@ class Usage(Case):
         for method in methods.values():
             for key in ("title", "source", "sides", "highest_continuity"):
                 self.assertTrue(method[key], method)
+            for option in method["options"]:
+                self.assertTrue(all(option[key] for key in ("key", "value", "text")), option)
 
     def test_methods_table_is_for_readers(self):
         text = self.expect(run("methods"), DONE).out
@@ -63,6 +65,11 @@ class WrongValues(Case):
         finished = run(command, example("box_without_lid"), *output, *words)
         self.expect_refused(finished, USAGE, *said)
         self.expect_files()
+
+    def test_options_belong_to_a_method(self):
+        self.refuse(["--option", "nonsense=1"], "'auto' has no option 'nonsense'")
+        self.refuse(["--method", "plane", "--option", "pole=1"], "'plane' has no option 'pole'")
+        self.refuse(["--option", "nonsense"], "KEY=VALUE")
 
     def test_tolerances_must_be_positive_numbers(self):
         for flag in ("--tolerance", "--angle", "--curvature", "--sew-tolerance", "--timeout"):
