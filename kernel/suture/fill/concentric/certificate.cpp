@@ -150,15 +150,17 @@ Eigen::Vector2d BoundaryPieces::at(double s) const {
 }
 
 Certificate certify(const BoundaryPieces& boundary, const ConcentricCurve& curve,
-                    const Course& course) {
+                    const Course& course, Step step) {
     const Eigen::Vector2d a = curve.nodes[static_cast<std::size_t>(course.start)];
     const Eigen::Vector2d b = curve.nodes[static_cast<std::size_t>(course.end)];
+    BezierPiece whole{course.from, course.to, Eigen::MatrixXd(2, step == Step::Even ? 2 : 4)};
+    if (step == Step::Even) {
+        whole.poles << a, b;
+    } else {
+        whole.poles << a, a, b, b;
+    }
     for (const BezierPiece& gamma : boundary.between(course.from, course.to)) {
-        const auto point = [&](double s) -> Eigen::Vector2d {
-            return a + (b - a) * ((s - course.from) / (course.to - course.from));
-        };
-        BezierPiece c{gamma.from, gamma.to, Eigen::MatrixXd(2, 2)};
-        c.poles << point(gamma.from), point(gamma.to);
+        const BezierPiece c = part_of(whole, gamma.from, gamma.to);
         if (certify(gamma, c, boundary.slack()) == Certificate::Folded) {
             return Certificate::Folded;
         }
@@ -166,11 +168,12 @@ Certificate certify(const BoundaryPieces& boundary, const ConcentricCurve& curve
     return Certificate::Positive;
 }
 
-std::vector<int> folded_courses(const BoundaryPieces& boundary, const ConcentricCurve& curve) {
+std::vector<int> folded_courses(const BoundaryPieces& boundary, const ConcentricCurve& curve,
+                                Step step) {
     std::vector<int> folded;
     const std::vector<Course> all = courses(curve);
     for (std::size_t k = 0; k < all.size(); ++k) {
-        if (certify(boundary, curve, all[k]) == Certificate::Folded) {
+        if (certify(boundary, curve, all[k], step) == Certificate::Folded) {
             folded.push_back(static_cast<int>(k));
         }
     }

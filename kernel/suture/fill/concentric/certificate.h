@@ -50,12 +50,18 @@ class BoundaryPieces {
     double slack_ = 0.0;
 };
 
+/// How the concentric curve goes from one node to the next.
+enum class Step {
+    Even,    ///< straight in the parameter
+    Resting  ///< as a cubic that rests at both nodes, so that all of it is smooth
+};
+
 /// Certifies a piece of the concentric curve from its start to its end.
 [[nodiscard]] Certificate certify(const BoundaryPieces& boundary, const ConcentricCurve& curve,
-                                  const Course& course);
+                                  const Course& course, Step step = Step::Even);
 
 /// All courses that are not proved positive, as indices of `courses(curve)`.
 [[nodiscard]] std::vector<int> folded_courses(const BoundaryPieces& boundary,
-                                              const ConcentricCurve& curve);
+                                              const ConcentricCurve& curve, Step step = Step::Even);
 
 }  // namespace suture::concentric

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 namespace suture::concentric {
 namespace {
@@ -40,6 +41,14 @@ std::pair<int, double> stop_before(const ConcentricCurve& curve, double s) {
 
 }  // namespace
 
+int used_nodes(const ConcentricCurve& curve) {
+    std::set<int> used;
+    for (const Stop& stop : curve.stops) {
+        used.insert(stop.node);
+    }
+    return static_cast<int>(used.size());
+}
+
 Eigen::Vector2d evaluate(const ConcentricCurve& curve, double s) {
     const auto [k, at] = stop_before(curve, s);
     const Stop here = curve.stop(k);
@@ -56,10 +65,22 @@ int insert_node(ConcentricCurve& curve, double s) {
     const Stop here = curve.stop(k);
     const Stop next = curve.stop(k + 1);
     const double same = kSameParameter * curve.period;
+    // A stop that is there but for rounding is moved there: nothing is left between the two.
     if (at <= here.to + same) {
+        Stop& there = curve.stops[static_cast<std::size_t>(k)];
+        if (std::abs(at - there.to) < same) {
+            there.from = there.from < there.to ? there.from : at;
+            there.to = at;
+        } else if (std::abs(at - there.from) < same) {
+            there.from = at;
+        }
         return here.node;
     }
     if (at >= next.from - same) {
+        Stop& there = curve.stops[static_cast<std::size_t>((k + 1) % curve.count())];
+        const double on_turn = at - (k + 1 == curve.count() ? curve.period : 0.0);
+        there.to = there.from < there.to ? there.to : on_turn;
+        there.from = on_turn;
         return next.node;
     }
     const double f = (at - here.to) / (next.from - here.to);

@@ -31,6 +31,9 @@ struct ConcentricCurve {
     }
 };
 
+/// How many nodes the axis has.
+[[nodiscard]] int used_nodes(const ConcentricCurve& curve);
+
 /// The point at a parameter.
 [[nodiscard]] Eigen::Vector2d evaluate(const ConcentricCurve& curve, double s);
 

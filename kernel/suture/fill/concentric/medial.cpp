@@ -191,14 +191,21 @@ class Walk {
         };
         const double first = angle(from);
         const double last = angle(to);
-        const int pieces =
-            std::max(2, static_cast<int>(std::ceil(std::abs(last - first) / widest_)));
+        // The parabola's vertex, its nearest point, is a node wherever it is on the arc.
+        std::vector<double> angles = {first, last};
+        if (first * last < 0.0) {
+            angles.insert(angles.begin() + 1, 0.0);
+        }
         std::vector<int> inner;
-        for (int k = 1; k < pieces; ++k) {
-            const double phi = first + (last - first) * k / pieces;
-            const double r = distance / (1.0 + std::cos(phi));
-            inner.push_back(static_cast<int>(grid_.size()));
-            grid_.push_back(focus + r * (std::cos(phi) * down + std::sin(phi) * along));
+        for (std::size_t i = 0; i + 1 < angles.size(); ++i) {
+            const double step = angles[i + 1] - angles[i];
+            const int pieces = std::max(1, static_cast<int>(std::ceil(std::abs(step) / widest_)));
+            for (int k = i == 0 ? 1 : 0; k < pieces; ++k) {
+                const double phi = angles[i] + step * k / pieces;
+                const double r = distance / (1.0 + std::cos(phi));
+                inner.push_back(static_cast<int>(grid_.size()));
+                grid_.emplace_back(focus + r * (std::cos(phi) * down + std::sin(phi) * along));
+            }
         }
         return inner;
     }

@@ -20,8 +20,12 @@ constexpr double kLeastShare = kFirstShare / 1024.0;
 /// radius.
 constexpr double kClearance = 1e-3;
 
-/// Stops stand this share of the period apart: c walks every edge in some time.
-constexpr double kLeastTime = 1e-7;
+/// Stops stand this share of a mean side apart, so that c walks every edge in some time; where the
+/// map folds for that, they stand nearer.
+constexpr double kLeastTimes[] = {0.02, 1e-3, 1e-5};
+
+/// As a share of the period: a corner so near to a cut branch's part of the boundary is in it.
+constexpr double kAtEnd = 1e-9;
 
 /// Rounds of moving parameters before a place counts as folded.
 constexpr int kRounds = 24;
@@ -155,12 +159,13 @@ class Pruning {
 class Timing {
   public:
     Timing(const MedialAxis& axis, const Sites& sites, const BoundaryPieces& boundary,
-           const std::vector<double>& corners, std::vector<Stay> stays)
+           const std::vector<double>& corners, std::vector<Stay> stays, double least_time)
         : axis_(axis),
           sites_(sites),
           boundary_(boundary),
           corners_(corners),
           stays_(std::move(stays)),
+          least_(least_time * sites.period / sites.count()),
           count_(static_cast<int>(axis.walk.size())),
           shares_(sites.vertices.size(), kFirstShare),
           ends_(sites.vertices.size()) {
@@ -184,6 +189,10 @@ class Timing {
     [[nodiscard]] tl::expected<ConcentricCurve, Folds> find() {
         for (int round = 0;; ++round) {
             ConcentricCurve curve = timed();
+            if (!in_order(curve)) {
+                const double begin = curve.stops.front().from;
+                return tl::unexpected(Folds{{{begin, begin + curve.period, 0, 0}}});
+            }
             const std::vector<Course> all = courses(curve);
             std::vector<Course> folded;
             for (const int k : folded_courses(boundary_, curve)) {
@@ -208,6 +217,7 @@ class Timing {
     const BoundaryPieces& boundary_;
     const std::vector<double>& corners_;
     std::vector<Stay> stays_;
+    double least_;
     int count_;
     std::vector<double> shares_;  ///< of each reflex vertex
     std::vector<Ends> ends_;      ///< of the feet on each side
@@ -238,16 +248,24 @@ class Timing {
 
     /// The corners in a range, on any turn: the first and the last.
     [[nodiscard]] std::vector<double> corners_in(double first, double last) const {
-        const double slack = kLeastTime * sites_.period;
+        const double slack = kAtEnd * sites_.period;
         std::vector<double> found;
-        for (const double corner : corners_) {
-            const double turns = std::ceil((first - slack - corner) / sites_.period);
-            for (double s = corner + turns * sites_.period; s <= last + slack; s += sites_.period) {
-                found.push_back(std::clamp(s, first, last));
-            }
+        if (corners_.empty()) {
+            return found;
         }
-        std::sort(found.begin(), found.end());
-        return found;
+        const double begin = corners_.front();
+        double turns = std::floor((first - slack - begin) / sites_.period) * sites_.period;
+        auto corner = std::lower_bound(corners_.begin(), corners_.end(), first - slack - turns);
+        for (;; ++corner) {
+            if (corner == corners_.end()) {
+                corner = corners_.begin();
+                turns += sites_.period;
+            }
+            if (*corner + turns > last + slack) {
+                return found;
+            }
+            found.push_back(std::clamp(*corner + turns, first, last));
+        }
     }
 
     /// Where the boundary that belongs to a stay is farthest from its node.
@@ -286,29 +304,53 @@ class Timing {
         for (const MedialNode& node : axis_.nodes) {
             curve.nodes.push_back(node.point);
         }
-        const double least = kLeastTime * sites_.period;
         for (const Stay& stay : stays_) {
-            Stop stop = stop_of(stay);
-            if (!curve.stops.empty()) {
-                stop.from = std::max(stop.from, curve.stops.back().to + least);
-                stop.to = std::max(stop.to, stop.from);
-            }
-            curve.stops.push_back(stop);
+            curve.stops.push_back(stop_of(stay));
         }
+        keep_apart(curve);
         return curve;
+    }
+
+    /// What lies between one stop and the one before it, cyclic.
+    static double room(const ConcentricCurve& curve, int k) {
+        const int n = curve.count();
+        return curve.stop(k + n).from - curve.stop(k + n - 1).to;
+    }
+
+    /// Pushes stops on until all are some time apart, from where there is most room.
+    void keep_apart(ConcentricCurve& curve) const {
+        const int n = curve.count();
+        int first = 0;
+        for (int k = 1; k < n; ++k) {
+            first = room(curve, k) > room(curve, first) ? k : first;
+        }
+        for (int k = first + 1; k < first + n; ++k) {
+            Stop& stop = curve.stops[static_cast<std::size_t>(k % n)];
+            const double push = std::max(0.0, least_ - room(curve, k % n));
+            stop.from += push;
+            stop.to = std::max(stop.to, stop.from);
+        }
+    }
+
+    /// Whether the stops stand in their order all the way around.
+    static bool in_order(const ConcentricCurve& curve) {
+        for (int k = 0; curve.count() > 1 && k < curve.count(); ++k) {
+            if (!(room(curve, k) > 0.0)) {
+                return false;
+            }
+        }
+        return true;
     }
 
     /// Moves the parameters beside the folds; false where nothing is left to move.
     bool adapt(const ConcentricCurve& curve, const std::vector<Course>& folded) {
         std::set<int> touched;
         for (const Course& course : folded) {
-            for (int k = 0; k < curve.count(); ++k) {
-                const Stop here = curve.stop(k);
-                const Stop next = curve.stop(k + 1);
-                if (here.from <= course.from && course.to <= next.to) {
-                    touched.insert({k, (k + 1) % curve.count()});
-                }
-            }
+            const auto after =
+                std::upper_bound(curve.stops.begin(), curve.stops.end(), course.from,
+                                 [](double value, const Stop& stop) { return value < stop.from; });
+            const auto k = static_cast<int>(after - curve.stops.begin()) - 1;
+            touched.insert({k, (k + 1) % curve.count()});
         }
         bool changed = false;
         std::set<int> vertices;
@@ -341,7 +383,15 @@ class Timing {
 tl::expected<ConcentricCurve, Folds> retract(const MedialAxis& axis, const Sites& sites,
                                              const BoundaryPieces& boundary,
                                              const std::vector<double>& corners, double salience) {
-    return Timing(axis, sites, boundary, corners, Pruning(axis, sites, salience).stays()).find();
+    const std::vector<Stay> stays = Pruning(axis, sites, salience).stays();
+    tl::expected<ConcentricCurve, Folds> found;
+    for (const double least_time : kLeastTimes) {
+        found = Timing(axis, sites, boundary, corners, stays, least_time).find();
+        if (found) {
+            break;
+        }
+    }
+    return found;
 }
 
 }  // namespace suture::concentric

@@ -34,7 +34,7 @@ inline Points arrow() {
 inline Points pentagon() {
     return {{0, 0}, {5, -1}, {7, 2}, {4, 5}, {-1, 3}};
 }
-/// A random polygon on which the paper's parameters fold (methods.md, D.3).
+/// A random polygon on which the paper's parameters fold.
 inline Points folding() {
     return {{1.8866, .0774},  {1.6859, .5935}, {-1.4663, .1669}, {-1.0979, -.0127},
             {-1.529, -.6395}, {.8997, -.9753}, {1.467, -.83}};
