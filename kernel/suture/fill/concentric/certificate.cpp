@@ -157,7 +157,8 @@ Certificate certify(const BoundaryPieces& boundary, const ConcentricCurve& curve
     if (step == Step::Even) {
         whole.poles << a, b;
     } else {
-        whole.poles << a, a, b, b;
+        const Eigen::Vector2d first = kRestingSpeed / 3.0 * (b - a);
+        whole.poles << a, a + first, b - first, b;
     }
     for (const BezierPiece& gamma : boundary.between(course.from, course.to)) {
         const BezierPiece c = part_of(whole, gamma.from, gamma.to);

@@ -27,7 +27,7 @@ SplineCurve interpolated(const std::function<Eigen::VectorXd(double)>& at,
             curve.knots.push_back(breaks[i - 1] + (breaks[i] - breaks[i - 1]) * k / spans);
         }
         const bool last = i + 1 == breaks.size();
-        curve.knots.insert(curve.knots.end(), static_cast<std::size_t>(degree + (last ? 1 : -1)),
+        curve.knots.insert(curve.knots.end(), static_cast<std::size_t>(degree + (last ? 1 : 0)),
                            breaks[i]);
     }
     const auto n = static_cast<int>(curve.knots.size()) - degree - 1;

@@ -18,8 +18,8 @@ struct FittedCurve {
 /// the breaks, twice as many until the error is small enough. The ends are met exactly.
 ///
 /// Input    at: smooth between the breaks, of which the first and the last are its domain's ends,
-///          and once differentiable there.
-/// Result   once differentiable; the best one found where the accuracy was out of reach.
+///          and continuous there.
+/// Result   the best one found where the accuracy was out of reach: the error tells.
 [[nodiscard]] FittedCurve fit_curve(const std::function<Eigen::VectorXd(double)>& at,
                                     const std::vector<double>& breaks, int degree, double accuracy);
 

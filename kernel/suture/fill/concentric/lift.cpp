@@ -1,5 +1,6 @@
 #include "suture/fill/concentric/lift.h"
 
+#include "suture/fill/concentric/certificate.h"
 #include "suture/fill/concentric/fit.h"
 #include "suture/fill/concentric/sweep.h"
 
@@ -41,27 +42,20 @@ double fading(double x) {
     return x >= 1.0 ? 0.0 : (1.0 - x) * (1.0 - x) * (1.0 + 2.0 * x);
 }
 
-/// The step that rests at both ends.
-double smooth_step(double x) {
-    return x * x * (3.0 - 2.0 * x);
+/// The step that nearly rests at both ends.
+double resting_step(double x) {
+    return kRestingSpeed * x + (1.0 - kRestingSpeed) * x * x * (3.0 - 2.0 * x);
 }
 
-/// A curve that rests at its ends: the slopes there are zero but for rounding, and become zero.
-void rest_at_ends(SplineCurve& curve) {
-    const int n = curve.count();
-    curve.poles.col(1) = curve.poles.col(0);
-    curve.poles.col(n - 2) = curve.poles.col(n - 1);
-}
-
-/// Curves that rest where they meet, as one: smooth there, so one knot and one pole less.
+/// Curves that begin where the last one ends, as one.
 void append(SplineCurve& all, const SplineCurve& next) {
     if (all.knots.empty()) {
         all = next;
         return;
     }
-    MatrixXd poles(all.poles.rows(), all.count() + next.count() - 2);
-    poles << all.poles.leftCols(all.count() - 1), next.poles.rightCols(next.count() - 1);
-    all.knots.resize(all.knots.size() - 2);
+    MatrixXd poles(all.poles.rows(), all.count() + next.count() - 1);
+    poles << all.poles, next.poles.rightCols(next.count() - 1);
+    all.knots.pop_back();
     all.knots.insert(all.knots.end(), next.knots.begin() + next.degree + 1, next.knots.end());
     all.poles = std::move(poles);
 }
@@ -118,12 +112,11 @@ SplineCurve Lift::axis_row(const Region& region) {
         const Vector2d& b = axis_.nodes[static_cast<std::size_t>(course.end)];
         const auto at = [&](double s) -> VectorXd {
             const double x = (s - course.from) / (course.to - course.from);
-            const Vector2d xy = a + (b - a) * smooth_step(x);
+            const Vector2d xy = a + (b - a) * resting_step(x);
             return Vector3d(xy.x(), xy.y(), field_.height(xy));
         };
         FittedCurve fit = fit_curve(at, {course.from, course.to}, kDegree, accuracy_);
         error_ = std::max(error_, fit.error);
-        rest_at_ends(fit.curve);
         append(row, fit.curve);
     }
     return row;

@@ -12,9 +12,10 @@ namespace suture::concentric {
 ///     S(s,t) = (1-t) gamma + t c  in the plane, and above it the cubic in t that has
 ///     the height of gamma and the slope of the neighbour's tangent plane at t = 0,
 ///     the height and slope of a smooth height field at t = 1.
-/// All spokes that end at one point of the axis are tangent to one plane there, and c rests at its
-/// nodes for a moment (a cubic instead of a straight step), so that the surface has a tangent plane
-/// along the axis and along all spokes but those of the hole's corners, where the sides turn.
+/// All spokes that end at one point of the axis are tangent to one plane there: the surface has a
+/// tangent plane along the axis. Across the spokes to nodes, where c turns, and to the hole's
+/// corners, where the sides turn, its normals differ by terms of third order: none on quadratic
+/// surfaces, and the less the slower c is at its nodes, where it nearly rests.
 ///
 /// Source   ours: what Martin & Cohen 2003 name as their next step.
 class Lift {

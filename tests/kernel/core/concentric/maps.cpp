@@ -161,7 +161,7 @@ void figures() {
           basic(shapes::polygon(shapes::pentagon())));
     print("9", "degree 3", shapes::spline(shapes::pentagon(), 3),
           basic(shapes::spline(shapes::pentagon(), 3)));
-    const Points bar = {{0, 0}, {12, 0}, {12, 2}, {0, 2}};
+    const Points bar = {{0, 0}, {12, 0}, {12, 0.8}, {0, 0.8}};
     const ClosedSpline cubic = shapes::spline(bar, 3);
     print("10", "degree 1", shapes::polygon(bar), basic(shapes::polygon(bar)));
     print("10", "degree 3: the axis leaves the curve", cubic, basic(cubic));
