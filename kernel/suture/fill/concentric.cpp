@@ -134,14 +134,16 @@ Result<FillResult> fill_concentric(const Hole& hole, const FillOptions& options)
     if (!boundary) {
         return tl::unexpected(boundary.error());
     }
+    const bool single = find_word(options.own, "faces").value_or("regions") == "one";
     concentric::MapOptions map_options;
     map_options.salience = find_number(options.own, "salience").value_or(kSalience);
     map_options.flatness = find_number(options.own, "flatness").value_or(kFlatness);
+    // OCCT reads no border from STEP of which a part is one point.
+    map_options.rest_between_corners = !single;
     auto map = concentric::concentric_map(boundary->planar, map_options);
     if (!map) {
         return tl::unexpected(named_after_sides(map.error(), hole));
     }
-    const bool single = find_word(options.own, "faces").value_or("regions") == "one";
     const bool flat = is_flat(hole, *boundary, options.tolerance);
     auto result = flat ? fill_flat(*boundary, map->axis, single)
                        : fill_curved(hole, *boundary, map->axis, single, options.tolerance);

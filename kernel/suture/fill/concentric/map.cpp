@@ -90,7 +90,8 @@ tl::expected<ConcentricCurve, Folds> map_of(const MedialAxis& axis, const Sites&
 
 Result<ConcentricMap> concentric_map(const ClosedSpline& curve, const MapOptions& options) {
     const BoundaryPieces boundary(curve);
-    const std::vector<double> corners = corner_parameters(curve);
+    const std::vector<double> corners =
+        options.rest_between_corners ? corner_parameters(curve) : std::vector<double>{};
     ConcentricMap map;
     map.refined = curve;
     Error why;

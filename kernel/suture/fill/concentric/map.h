@@ -15,6 +15,9 @@ struct MapOptions {
     /// Nodes of the axis go where it moves by less than this share of the largest radius; 0 keeps
     /// them all.
     double flatness = 0.0;
+    /// Whether c rests at a node between corners whose seams end there: then the boundary between
+    /// them is a region that ends in a point. Else it passes the node in the middle.
+    bool rest_between_corners = true;
     /// How often the control polygon may be refined before the map is refused.
     int refinements = 8;
 };

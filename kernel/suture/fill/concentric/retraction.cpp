@@ -268,20 +268,19 @@ class Timing {
         }
     }
 
-    /// Where the boundary that belongs to a stay is farthest from its node.
+    /// The middle between the first and the last corner of the control polygon whose seam ends at a
+    /// stay.
     [[nodiscard]] double tip(const Stay& stay) const {
-        const Vector2d& root = axis_.nodes[static_cast<std::size_t>(stay.node)].point;
-        double best = -1.0;
-        double at = 0.5 * (parameter(stay.first) + parameter(stay.last));
+        double first = INFINITY;
+        double last = -INFINITY;
         for (int k = stay.first; k <= stay.last; ++k) {
-            const MedialNode& there = axis_.nodes[static_cast<std::size_t>(visit(k).node)];
-            const double distance = (there.point - root).norm() - there.radius;
-            if (there.radius <= 0.0 && distance > best) {
-                best = distance;
-                at = parameter(k);
+            if (axis_.nodes[static_cast<std::size_t>(visit(k).node)].radius <= 0.0) {
+                first = std::min(first, parameter(k));
+                last = std::max(last, parameter(k));
             }
         }
-        return at;
+        return first <= last ? 0.5 * (first + last)
+                             : 0.5 * (parameter(stay.first) + parameter(stay.last));
     }
 
     [[nodiscard]] Stop stop_of(const Stay& stay) const {

@@ -189,7 +189,7 @@ TEST(ConcentricMap, KeepsFewControlPointsByMovingTheCoarseAxisOntoTheFineOne) {
         fine = with_knots(fine, middles);
     }
     const ConcentricCurve coarse = basic(cubic);
-    const auto exact = concentric_map(fine, {0.05, 0.0, 8});
+    const auto exact = concentric_map(fine, {0.05, 0.0, true, 8});
     ASSERT_TRUE(exact) << exact.error().message;
     const ConcentricCurve moved = moved_onto(coarse, exact->axis);
     EXPECT_EQ(moved.count(), coarse.count());
@@ -203,7 +203,7 @@ TEST(ConcentricMap, PrunesANoisyEllipseByTheSalienceOfItsBranches) {
     const BoundaryPieces boundary(noisy);
     int before = 1 << 30;
     for (const double salience : {0.0, 0.1, 0.3, 2.0}) {
-        const auto map = concentric_map(noisy, {salience, 0.0, 0});
+        const auto map = concentric_map(noisy, {salience, 0.0, true, 0});
         ASSERT_TRUE(map) << map.error().message;
         EXPECT_LT(used_nodes(map->axis), before) << salience;
         EXPECT_TRUE(folded_courses(boundary, map->axis).empty());

@@ -47,7 +47,7 @@ TEST(ConcentricMap, FoldsOnNoneOfFiveHundredShapes) {
     ASSERT_EQ(all.size(), 500U);
     for (const auto& [name, curve] : all) {
         SCOPED_TRACE(name);
-        const auto map = concentric_map(curve, {0.05, 0.02, 8});
+        const auto map = concentric_map(curve, {0.05, 0.02, true, 8});
         if (!map) {
             ++refused;
             which += "\n" + name + ": " + map.error().message;

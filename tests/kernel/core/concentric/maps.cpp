@@ -120,7 +120,7 @@ ConcentricCurve basic(const ClosedSpline& curve) {
 }
 
 ConcentricCurve robust(const ClosedSpline& curve, double salience = 0.1, double flatness = 0.02) {
-    return concentric::concentric_map(curve, {salience, flatness, 8}).value().axis;
+    return concentric::concentric_map(curve, {salience, flatness, true, 8}).value().axis;
 }
 
 void print(std::string_view figure, std::string_view title, const ClosedSpline& curve,
