@@ -185,8 +185,8 @@ TEST(FillConcentric, ClosesGentlyCurvedHolesTangentToTheirNeighbours) {
                                return zoo::Jet(0.3) * u * u + zoo::Jet(0.1) * u * v -
                                       zoo::Jet(0.2) * v * v;
                            }),
-                           0.05},
-                          {"saddle", zoo::saddle(0.4), 0.05},
+                           0.2},
+                          {"saddle", zoo::saddle(0.4), 0.2},
                           {"wavy", zoo::wavy(0.05, 2.0), 1.0}};
     for (const Case& c : cases) {
         SCOPED_TRACE(c.name);
