@@ -54,8 +54,7 @@ class Concentric(unittest.TestCase):
         self.cap(EXAMPLES / "pipe_elbow.step", None)
 
     def test_caps_with_one_face_for_all_sides(self):
-        for example in ("box_without_lid", "pipe_elbow"):
-            self.cap(EXAMPLES / f"{example}.step", 1, "--option", "faces=one")
+        self.cap(EXAMPLES / "pipe_elbow.step", 1, "--option", "faces=one")
 
     def test_caps_the_nacelle(self):
         self.cap(CAD / "nacelle.stp", None)
