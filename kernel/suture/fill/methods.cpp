@@ -1,3 +1,4 @@
+#include "suture/fill/concentric.h"
 #include "suture/fill/extend.h"
 #include "suture/fill/fill.h"
 #include "suture/fill/mvs.h"
@@ -8,7 +9,7 @@
 namespace suture {
 
 std::span<const FillMethod> fill_methods() {
-    static constexpr std::array kMethods = {
+    static const std::array kMethods = {
         FillMethod{"extend", "Continues the surface on which all neighbours lie", "exact", "any",
                    Continuity::G2, &fill_extend},
         FillMethod{"plane", "Closes a planar loop by a plane", "exact", "any", Continuity::G0,
@@ -16,6 +17,11 @@ std::span<const FillMethod> fill_methods() {
         FillMethod{"mvs", "The surface whose curvature varies least, as one biquintic face",
                    "Moreton & Sequin, Functional optimization for fair surface design, 1992", "any",
                    Continuity::G2, &fill_mvs},
+        FillMethod{"concentric", "A disc-like surface whose spokes end on the medial axis",
+                   "Martin & Cohen, Surface completion of an irregular boundary curve using a "
+                   "concentric mapping, 2003",
+                   "any, no islands", Continuity::G1, &fill_concentric, concentric_options(),
+                   /*in_auto=*/false},
     };
     return kMethods;
 }
