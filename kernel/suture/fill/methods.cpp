@@ -2,6 +2,7 @@
 #include "suture/fill/fill.h"
 #include "suture/fill/mvs.h"
 #include "suture/fill/plane.h"
+#include "suture/fill/tube.h"
 
 #include <array>
 
@@ -16,6 +17,9 @@ std::span<const FillMethod> fill_methods() {
         FillMethod{"mvs", "The surface whose curvature varies least, as one biquintic face",
                    "Moreton & Sequin, Functional optimization for fair surface design, 1992", "any",
                    Continuity::G2, &fill_mvs},
+        FillMethod{"tube", "A tube around the hole that closes in a point, as one face",
+                   "Szilvasi-Nagy, Filling holes with B-spline surfaces, 2002", "1 loop",
+                   Continuity::G1, &fill_tube, kTubeOptions, /*in_auto=*/false},
     };
     return kMethods;
 }
