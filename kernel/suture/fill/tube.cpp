@@ -26,9 +26,14 @@ constexpr double kCrease = 0.5;
 
 constexpr double kMostTurn = radians(90.0);
 
+/// Where the columns come from and where they end.
+struct Aim {
+    tube::Radials radials;
+    tube::Pole pole;
+};
+
 struct Tube {
     tube::Fairing fairing;
-    tube::Pole pole;
     double gap = 0.0, angle = 0.0, crease = 0.0;
     int layers = 0;
 };
@@ -48,7 +53,7 @@ std::vector<double> by_patch(const std::vector<double>& by_side, const tube::Div
 Result<tube::FairingTask> task_of(const OptionValues& own, const tube::Pole& pole,
                                   const tube::BorderRows& rows, const tube::Divisions& divisions) {
     tube::FairingTask task;
-    const auto directions = tube::directions_at(pole, rows.points, rows.outward);
+    const auto directions = tube::directions_at(pole, rows.points, rows.outward, rows.plane);
     if (!directions) {
         return tl::unexpected(directions.error());
     }
@@ -67,15 +72,30 @@ Result<tube::FairingTask> task_of(const OptionValues& own, const tube::Pole& pol
     return task;
 }
 
+Result<Aim> take_aim(const Hole& hole, const OptionValues& own) {
+    const RibbonLoop& loop = hole.loops.front();
+    const auto point = find_vector(own, "pole");
+    auto radials = point ? tube::Radials::from_point(loop, *point)
+                         : tube::Radials::developed(loop, hole.diameter);
+    if (!radials) {
+        return tl::unexpected(radials.error());
+    }
+    const auto pole = tube::find_pole(loop, *radials, point, find_vector(own, "normal"));
+    if (!pole) {
+        return tl::unexpected(pole.error());
+    }
+    return Aim{std::move(*radials), *pole};
+}
+
 /// The tube with so many layers.
-Result<Tube> make_tube(const RibbonLoop& loop, const tube::Pole& pole, const FillOptions& options,
+Result<Tube> make_tube(const RibbonLoop& loop, const Aim& aim, const FillOptions& options,
                        int layers) {
     const std::vector<double> across = tube::knots_across(layers);
-    const tube::Border border(loop, pole.point, kAround, across.back());
+    const tube::Border border(loop, aim.radials, aim.pole.point, kAround, across.back());
     const tube::Divisions divisions =
         tube::divide(border, options.tolerance, std::ldexp(1.0, -layers));
     const tube::BorderRows rows = tube::fit_border(border, divisions);
-    const auto task = task_of(options.own, pole, rows, divisions);
+    const auto task = task_of(options.own, aim.pole, rows, divisions);
     if (!task) {
         return tl::unexpected(task.error());
     }
@@ -89,7 +109,7 @@ Result<Tube> make_tube(const RibbonLoop& loop, const tube::Pole& pole, const Fil
     if (!fairing) {
         return tl::unexpected(fairing.error());
     }
-    Tube result{std::move(*fairing), pole, 0.0, 0.0, 0.0, layers};
+    Tube result{std::move(*fairing), 0.0, 0.0, 0.0, layers};
     for (const auto& side : tube::measure_border(border, divisions, rows)) {
         for (const tube::BorderError& error : side) {
             result.gap = std::max(result.gap, error.gap);
@@ -103,8 +123,7 @@ Result<Tube> make_tube(const RibbonLoop& loop, const tube::Pole& pole, const Fil
 }
 
 /// As many layers as keep the creases small: they fall in proportion to the last layer's width.
-Result<Tube> make_smooth(const RibbonLoop& loop, const tube::Pole& pole,
-                         const FillOptions& options) {
+Result<Tube> make_smooth(const RibbonLoop& loop, const Aim& aim, const FillOptions& options) {
     const auto given = find_count(options.own, "layers");
     int layers = given.value_or(kFewestLayers);
     const double limit = kCrease * options.tolerance.angular;
@@ -112,7 +131,7 @@ Result<Tube> make_smooth(const RibbonLoop& loop, const tube::Pole& pole,
         if (options.progress.cancelled()) {
             return fail(ErrorCode::Cancelled, "stopped while filling");
         }
-        auto tube = make_tube(loop, pole, options, layers);
+        auto tube = make_tube(loop, aim, options, layers);
         if (!tube || given || tube->crease <= limit || layers >= kMostLayers) {
             return tube;
         }
@@ -146,10 +165,11 @@ Result<void> expect_treatable(const Hole& hole, const FillOptions& options) {
     return {};
 }
 
-Patch patch_of(const tube::Net& net, const RibbonLoop& loop, const Vector3d& pole) {
+Patch patch_of(const tube::Net& net, const RibbonLoop& loop, const Aim& aim) {
     Patch patch;
     patch.surface = tube::to_surface(net);
-    const auto border = std::make_shared<const tube::Border>(loop, pole, kAround, net.border());
+    const auto border = std::make_shared<const tube::Border>(loop, aim.radials, aim.pole.point,
+                                                             kAround, net.border());
     auto& trims = patch.trims.emplace_back();
     for (int side = 0; side < border->sides(); ++side) {
         trims.emplace_back([border, side, u = net.border()](double s) -> Eigen::Vector2d {
@@ -172,17 +192,16 @@ Result<FillResult> fill_tube(const Hole& hole, const FillOptions& options) {
         return tl::unexpected(treatable.error());
     }
     const RibbonLoop& loop = hole.loops.front();
-    const auto pole = tube::find_pole(loop, hole.diameter, find_vector(options.own, "pole"),
-                                      find_vector(options.own, "normal"));
-    if (!pole) {
-        return tl::unexpected(pole.error());
+    const auto aim = take_aim(hole, options.own);
+    if (!aim) {
+        return tl::unexpected(aim.error());
     }
-    const auto tube = make_smooth(loop, *pole, options);
+    const auto tube = make_smooth(loop, *aim, options);
     if (!tube) {
         return tl::unexpected(tube.error());
     }
     const tube::Net& net = tube->fairing.net;
-    const tube::Fold fold = tube::measure_fold(net, pole->normal);
+    const tube::Fold fold = tube::measure_fold(net, aim->pole.normal);
     if (fold.turn > kMostTurn) {
         return fail(ErrorCode::Refused,
                     "the surface folds: its normal turns by {:.1f} deg within a patch (limit "
@@ -190,7 +209,7 @@ Result<FillResult> fill_tube(const Hole& hole, const FillOptions& options) {
                     degrees(fold.turn), degrees(kMostTurn), fold.u, fold.v);
     }
     FillResult result;
-    result.patches.push_back(patch_of(net, loop, pole->point));
+    result.patches.push_back(patch_of(net, loop, *aim));
     result.notes.push_back(fmt::format(
         "{} x {} poles, closed at ({:.6g}, {:.6g}, {:.6g}); at ribbon samples between the fitted "
         "ones: gap {:.2g}, angle {:.2g} deg; crease along the corners' lines {:.2g} deg",

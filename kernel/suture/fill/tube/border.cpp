@@ -1,7 +1,5 @@
 #include "suture/fill/tube/border.h"
 
-#include "suture/fill/tube/pole.h"
-
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 
@@ -24,8 +22,8 @@ double angle_between(const Vector3d& a, const Vector3d& b) {
 
 }  // namespace
 
-Border::Border(RibbonLoop around, const Vector3d& pole, double length, double u)
-    : loop_(std::move(around)), pole_(pole), u_(u), starts_{0.0} {
+Border::Border(RibbonLoop around, Radials radials, const Vector3d& pole, double length, double u)
+    : loop_(std::move(around)), radials_(std::move(radials)), pole_(pole), u_(u), starts_{0.0} {
     const RibbonLoop& loop = loop_;
     double total = 0.0;
     for (const Ribbon& ribbon : loop.ribbons) {
@@ -42,15 +40,15 @@ Border::Border(RibbonLoop around, const Vector3d& pole, double length, double u)
         if (joins_smoothly(loop.ribbons[i])) {
             continue;
         }
-        const auto bend = [&](const Ribbon& next, const RibbonPoint& there) -> Vector3d {
-            if (!joins_smoothly(next)) {
+        const auto bend = [&](std::size_t next, double s) -> Vector3d {
+            if (!joins_smoothly(loop.ribbons[next])) {
                 return Vector3d::Zero();
             }
-            return radial(there, pole) - (there.point - pole).normalized();
+            const RibbonPoint there = loop.ribbons[next].at(s);
+            return radials_.outward(static_cast<int>(next), s, there).normalized() -
+                   (there.point - pole).normalized();
         };
-        const Ribbon& before = loop.ribbons[(i + n - 1) % n];
-        const Ribbon& after = loop.ribbons[(i + 1) % n];
-        bends_[i] = {bend(before, before.at(1.0)), bend(after, after.at(0.0))};
+        bends_[i] = {bend((i + n - 1) % n, 1.0), bend((i + 1) % n, 0.0)};
     }
 }
 
@@ -62,23 +60,24 @@ double Border::v_of(int side, double s) const {
     return extent(side) * course(side).length_of(s) / course(side).length();
 }
 
-Vector3d Border::direction(int side, double s, const RibbonPoint& at) const {
+Vector3d Border::outward(int side, double s, const RibbonPoint& at) const {
+    const Vector3d radial = radials_.outward(side, s, at);
     if (joins_smoothly(ribbon(side))) {
-        return radial(at, pole_);
+        return radial / u_;
     }
     const auto& [first, last] = bends_[static_cast<std::size_t>(side)];
-    return ((at.point - pole_).normalized() + (1.0 - s) * first + s * last).normalized();
+    const Vector3d away = (at.point - pole_).normalized();
+    return (away + (1.0 - s) * first + s * last).normalized() * (radial.norm() / u_);
 }
 
 BorderPoint Border::at(int side, double v) const {
     const double s = s_of(side, v);
     const RibbonPoint at = ribbon(side).at(s);
-    const double distance = (at.point - pole_).norm();
     const double speed = course(side).length() / extent(side);
     // Sides that keep their own parameter are run through at |dP/ds|, the others evenly.
     const double own = course(side).even() ? at.tangent.norm() / extent(side) : speed;
-    return {at.point, direction(side, s, at) * (distance / u_), at.normal,
-            own * at.tangent.normalized()};
+    return {at.point, outward(side, s, at), at.normal, own * at.tangent.normalized(),
+            has_layout() ? radials_.in_plane(side, s) : Eigen::Vector2d(0.0, 0.0)};
 }
 
 BorderPoint Border::corner(int side) const {
@@ -93,6 +92,7 @@ BorderPoint Border::corner(int side) const {
     a.outward = share * a.outward + (1.0 - share) * b.outward;
     a.normal = (share * a.normal + (1.0 - share) * b.normal).normalized();
     a.tangent = 0.5 * (a.tangent + b.tangent);
+    a.plane = 0.5 * (a.plane + b.plane);
     return a;
 }
 
@@ -108,14 +108,14 @@ void fit_side(const Border& border, int side, const std::vector<double>& interva
               BorderRows& rows) {
     const int n = static_cast<int>(intervals.size());
     Eigen::MatrixXd system = Eigen::MatrixXd::Zero(n, n);
-    Eigen::MatrixXd right(n, 6);
+    Eigen::MatrixXd right(n, 8);
     double v = 0.0;
     for (int k = 0; k < n; ++k) {
         const double g = intervals[static_cast<std::size_t>(k)];
         const int interval = first + k;
         const Ring::Local local = rows.ring.on(interval, rows.ring.start(interval) + 0.5 * g, 0);
         const BorderPoint at = border.at(side, v + 0.5 * g);
-        right.row(k) << at.point.transpose(), at.outward.transpose();
+        right.row(k) << at.point.transpose(), at.outward.transpose(), at.plane.transpose();
         for (int j = 0; j < 3; ++j) {
             const int column = k + j;  // of the side: 0 and n + 1 are its corners
             const double share = local.basis(0, j);
@@ -124,14 +124,16 @@ void fit_side(const Border& border, int side, const std::vector<double>& interva
             } else {
                 const int ring = rows.ring.wrapped(first + column);
                 right.row(k).head<3>() -= share * rows.points.col(ring).transpose();
-                right.row(k).tail<3>() -= share * rows.outward.col(ring).transpose();
+                right.row(k).segment<3>(3) -= share * rows.outward.col(ring).transpose();
+                right.row(k).tail<2>() -= share * rows.plane.col(ring).transpose();
             }
         }
         v += g;
     }
     const Eigen::MatrixXd solution = system.partialPivLu().solve(right);
     rows.points.middleCols(first + 1, n) = solution.leftCols<3>().transpose();
-    rows.outward.middleCols(first + 1, n) = solution.rightCols<3>().transpose();
+    rows.outward.middleCols(first + 1, n) = solution.middleCols<3>(3).transpose();
+    rows.plane.middleCols(first + 1, n) = solution.rightCols<2>().transpose();
 }
 
 }  // namespace
@@ -142,21 +144,26 @@ BorderRows fit_border(const Border& border, const Divisions& divisions) {
         intervals.insert(intervals.end(), side.begin(), side.end());
         intervals.push_back(0.0);
     }
-    BorderRows rows{Ring(std::move(intervals)), {}, {}};
+    BorderRows rows{Ring(std::move(intervals)), {}, {}, {}};
     rows.points.resize(3, rows.ring.columns());
     rows.outward.resize(3, rows.ring.columns());
+    rows.plane.resize(2, rows.ring.columns());
     int column = 0;
     std::vector<int> firsts;
     for (int side = 0; side < border.sides(); ++side) {
         const BorderPoint corner = border.corner(side);
         rows.points.col(column) = corner.point;
         rows.outward.col(column) = corner.outward;
+        rows.plane.col(column) = corner.plane;
         firsts.push_back(column);
         column += static_cast<int>(divisions[static_cast<std::size_t>(side)].size()) + 1;
     }
     for (int side = 0; side < border.sides(); ++side) {
         fit_side(border, side, divisions[static_cast<std::size_t>(side)],
                  firsts[static_cast<std::size_t>(side)], rows);
+    }
+    if (!border.has_layout()) {
+        rows.plane.resize(2, 0);
     }
     return rows;
 }

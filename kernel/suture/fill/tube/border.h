@@ -4,6 +4,7 @@
 #include "suture/base/tolerance.h"
 #include "suture/fill/tube/course.h"
 #include "suture/fill/tube/net.h"
+#include "suture/fill/tube/radials.h"
 #include "suture/model/ribbon.h"
 
 #include <Eigen/Core>
@@ -19,14 +20,17 @@ struct BorderPoint {
     Eigen::Vector3d outward;  ///< d: the tube's tangent across the border
     Eigen::Vector3d normal;   ///< of the neighbour
     Eigen::Vector3d tangent;  ///< by the parameter around
+    Eigen::Vector2d plane;    ///< where it lies in the layout, if there is one
 };
 
 /// The hole's border as the tube's parameters see it: all sides in a row, [0, length) around.
 class Border {
   public:
     /// Input    length: of the parameter around; u: at the border.
-    Border(RibbonLoop around, const Eigen::Vector3d& pole, double length, double u);
+    Border(RibbonLoop around, Radials radials, const Eigen::Vector3d& pole, double length,
+           double u);
 
+    [[nodiscard]] bool has_layout() const { return radials_.is_developed(); }
     [[nodiscard]] int sides() const { return static_cast<int>(courses_.size()); }
     [[nodiscard]] const Ribbon& ribbon(int side) const {
         return loop_.ribbons[static_cast<std::size_t>(side)];
@@ -49,15 +53,16 @@ class Border {
 
   private:
     RibbonLoop loop_;
+    Radials radials_;
     Eigen::Vector3d pole_;
     double u_;
     std::vector<Course> courses_;
     std::vector<double> starts_;
-    /// What is added to the direction away from the pole at both ends of a side that is met in
+    /// What is added to the unit vector away from the pole at both ends of a side that is met in
     /// position only.
     std::vector<std::array<Eigen::Vector3d, 2>> bends_;
 
-    [[nodiscard]] Eigen::Vector3d direction(int side, double s, const RibbonPoint& at) const;
+    [[nodiscard]] Eigen::Vector3d outward(int side, double s, const RibbonPoint& at) const;
 };
 
 /// The intervals of each side, in the parameter around.
@@ -70,6 +75,7 @@ using Divisions = std::vector<std::vector<double>>;
 struct BorderRows {
     Ring ring;
     Eigen::Matrix3Xd points, outward;
+    Eigen::Matrix2Xd plane;  ///< empty without a layout
 };
 [[nodiscard]] BorderRows fit_border(const Border& border, const Divisions& divisions);
 

@@ -88,22 +88,28 @@ std::vector<Condition> conditions_of(const Net& net, const FairingTask& task,
 struct State {
     VectorXd values;
     double defect = 0.0;    ///< in curvature
-    double relative = 0.0;  ///< in the conditions' own size
+    double relative = 0.0;  ///< to the conditions' terms at the start
 };
 
-State state_at(const std::vector<Condition>& conditions, const VectorXd& x) {
+/// The size of the conditions' terms.
+double size_at(const std::vector<Condition>& conditions, const VectorXd& x) {
+    double size = 0.0;
+    for (const Condition& condition : conditions) {
+        size = std::max({size, std::abs(condition.bending(x)),
+                         std::abs(condition.kappa) * condition.D(x).squaredNorm()});
+    }
+    return size;
+}
+
+State state_at(const std::vector<Condition>& conditions, const VectorXd& x, double size) {
     State state;
     state.values.resize(static_cast<Eigen::Index>(conditions.size()));
-    double size = 0.0;
     for (std::size_t k = 0; k < conditions.size(); ++k) {
-        const double square = conditions[k].D(x).squaredNorm();
         const double value = conditions[k].value(x);
         state.values[static_cast<Eigen::Index>(k)] = value;
-        state.defect = std::max(state.defect, std::abs(value) / square);
-        size = std::max(
-            {size, std::abs(conditions[k].bending(x)), std::abs(conditions[k].kappa) * square});
+        state.defect = std::max(state.defect, std::abs(value) / conditions[k].D(x).squaredNorm());
     }
-    state.relative = state.values.cwiseAbs().maxCoeff() / size;
+    state.relative = size > 0.0 ? state.values.cwiseAbs().maxCoeff() / size : 0.0;
     return state;
 }
 
@@ -161,9 +167,10 @@ Result<Bent> bend(const Net& net, const FairingTask& task, const Unknowns& unkno
     const auto m = static_cast<Eigen::Index>(conditions.size());
     Bent bent{start, 0, 0.0};
     VectorXd multipliers = VectorXd::Zero(m);
+    const double size = size_at(conditions, start);
     double last_step = INFINITY;
     for (; bent.steps < kMostSteps; ++bent.steps) {
-        const State state = state_at(conditions, bent.x);
+        const State state = state_at(conditions, bent.x, size);
         bent.defect = state.defect;
         if (state.relative < kAccuracy && last_step < std::sqrt(kAccuracy)) {
             return bent;
@@ -181,10 +188,11 @@ Result<Bent> bend(const Net& net, const FairingTask& task, const Unknowns& unkno
         if (!move.allFinite()) {
             break;
         }
+        // A step may make the conditions worse, but not much worse.
+        const double most = std::max(2.0 * state.relative, 1.0);
         double length = 1.0;
         for (int k = 0; k < kMostHalvings; ++k, length *= 0.5) {
-            const State next = state_at(conditions, bent.x + length * move);
-            if (next.relative < std::max(2.0 * state.relative, kAccuracy) || state.relative > 1.0) {
+            if (state_at(conditions, bent.x + length * move, size).relative < most) {
                 break;
             }
         }

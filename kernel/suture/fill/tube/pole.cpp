@@ -2,39 +2,39 @@
 
 #include "suture/base/tolerance.h"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
+#include <Eigen/LU>
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 
 namespace suture::tube {
 namespace {
 
 using Eigen::Matrix3d;
+using Eigen::Vector2d;
 using Eigen::Vector3d;
 
 constexpr int kSamples = 48;  // per side
-
-/// The pole is moved so that it is seen at this angle (its sine) from every side, if it can be; at
-/// the least one of them a hole is not star-shaped.
-constexpr double kSeen[] = {0.3, 0.1, 0.03, 0.01};
-constexpr int kMostMoves = 400;
-
-constexpr int kRounds = 6;
+constexpr int kRounds = 12;
 
 struct Sample {
-    const Ribbon* ribbon;
-    RibbonPoint at;
-    double length;  ///< of the border that it stands for
+    Vector3d point;
+    Vector3d inwards;  ///< unit: against the radial
+    double length;     ///< of the border that it stands for
+    bool smooth;       ///< whether the neighbour is to be met tangentially
 };
 
-std::vector<Sample> samples_of(const RibbonLoop& loop) {
+std::vector<Sample> samples_of(const RibbonLoop& loop, const Radials& radials) {
     std::vector<Sample> samples;
-    for (const Ribbon& ribbon : loop.ribbons) {
+    for (std::size_t i = 0; i < loop.ribbons.size(); ++i) {
+        const Ribbon& ribbon = loop.ribbons[i];
         for (int k = 0; k < kSamples; ++k) {
-            const RibbonPoint at = ribbon.at((k + 0.5) / kSamples);
-            samples.push_back({&ribbon, at, at.tangent.norm() / kSamples});
+            const double s = (k + 0.5) / kSamples;
+            const RibbonPoint at = ribbon.at(s);
+            samples.push_back({at.point, -radials.outward(static_cast<int>(i), s, at).normalized(),
+                               at.tangent.norm() / kSamples, ribbon.continuity >= Continuity::G1});
         }
     }
     return samples;
@@ -44,112 +44,69 @@ Vector3d centre_of(const std::vector<Sample>& samples) {
     Vector3d centre = Vector3d::Zero();
     double length = 0.0;
     for (const Sample& s : samples) {
-        centre += s.length * s.at.point;
+        centre += s.length * s.point;
         length += s.length;
     }
     return centre / length;
 }
 
-/// The loop is walked with the hole on the left: its area vector points outwards.
-Vector3d area_vector(const std::vector<Sample>& samples, const Vector3d& centre) {
+/// Twice the area around a point, as a vector: along the outward normal, because the loop is walked
+/// with the hole on the left.
+Vector3d area_around(const std::vector<Sample>& samples, const Vector3d& centre) {
     Vector3d area = Vector3d::Zero();
-    for (const Sample& s : samples) {
-        area += (s.at.point - centre).cross(s.at.tangent) / kSamples;
+    for (std::size_t k = 0; k < samples.size(); ++k) {
+        const Vector3d a = samples[k].point - centre;
+        const Vector3d b = samples[(k + 1) % samples.size()].point - centre;
+        area += a.cross(b);
     }
     return area;
 }
 
-bool joins_smoothly(const Ribbon& ribbon) {
-    return ribbon.continuity >= Continuity::G1;
+/// The chord of a circular arc that starts along `inwards` and ends perpendicular to the normal.
+Vector3d chord_of(const Sample& sample, const Vector3d& normal, const Vector3d& pole) {
+    if (!sample.smooth) {
+        return (pole - sample.point).normalized();
+    }
+    const double rise = normal.dot(sample.inwards);
+    const Vector3d level = sample.inwards - rise * normal;
+    if (!(level.norm() > 0.0)) {
+        return sample.inwards;
+    }
+    // Its slope falls evenly to zero: the chord has half of the first one.
+    const double half = 0.5 * std::asin(std::clamp(rise, -1.0, 1.0));
+    return std::cos(half) * level.normalized() + std::sin(half) * normal;
 }
 
-/// How high above a border point a circular arc is that leaves it tangentially to its neighbour
-/// towards the axis, and is parallel to the plane of the pole on the axis.
-double arc_height(const Sample& s, const Vector3d& foot, const Vector3d& normal) {
-    Vector3d inwards = foot - s.at.point;
-    inwards -= normal * normal.dot(inwards);
-    const double distance = inwards.norm();
-    const double base = normal.dot(s.at.point - foot);
-    if (!(distance > 0.0) || !joins_smoothly(*s.ribbon)) {
-        return base;
-    }
-    inwards /= distance;
-    // In the upright plane through the axis, where it cuts the neighbour's tangent plane.
-    Vector3d along = s.at.normal.cross(normal.cross(inwards));
-    if (along.dot(s.at.inward) < 0.0) {
-        along = -along;
-    }
-    const double slope = std::atan2(along.dot(normal), along.dot(inwards));
-    constexpr double kSteepest = radians(150.0);
-    return base + distance * std::tan(0.5 * std::clamp(slope, -kSteepest, kSteepest));
-}
-
-/// The normal of the plane in which circular arcs from the border arrive at the point.
-Vector3d arriving(const std::vector<Sample>& samples, const Vector3d& point,
-                  const Vector3d& outwards) {
-    Matrix3d moments = Matrix3d::Zero();
+/// The point nearest to the chords, as lines.
+Vector3d nearest_to_chords(const std::vector<Sample>& samples, const Vector3d& normal,
+                           const Vector3d& pole) {
+    Matrix3d matrix = Matrix3d::Zero();
+    Vector3d right = Vector3d::Zero();
     for (const Sample& s : samples) {
-        const Vector3d chord = (point - s.at.point).normalized();
-        Vector3d leaving = chord;
-        if (joins_smoothly(*s.ribbon)) {
-            leaving = -radial(s.at, point);
-        }
-        const Vector3d arriving = 2.0 * leaving.dot(chord) * chord - leaving;
-        moments += s.length * arriving * arriving.transpose();
+        const Vector3d chord = chord_of(s, normal, pole);
+        const Matrix3d across = Matrix3d::Identity() - chord * chord.transpose();
+        matrix += s.length * across;
+        right += s.length * (across * s.point);
     }
-    const Vector3d normal = Eigen::SelfAdjointEigenSolver<Matrix3d>(moments).eigenvectors().col(0);
-    return normal.dot(outwards) < 0.0 ? Vector3d(-normal) : normal;
+    return matrix.ldlt().solve(right);
 }
 
-/// Sine of the angle at which the point is seen from the border, above the border's tangent.
-double seen(const Sample& s, const Vector3d& point) {
-    const Vector3d towards = point - s.at.point;
-    return s.at.inward.dot(towards) / towards.norm();
-}
-
-const Sample& worst_seen(const std::vector<Sample>& samples, const Vector3d& point) {
-    return *std::min_element(samples.begin(), samples.end(), [&](const Sample& a, const Sample& b) {
-        return seen(a, point) < seen(b, point);
-    });
-}
-
-/// The point moved, over and over towards the inside of the side that sees it worst, until all see
-/// it. The directions of all sides bound a convex region: the moves come nearer to it.
-std::optional<Vector3d> moved_into_sight(const std::vector<Sample>& samples, Vector3d point,
-                                         double least) {
-    for (int move = 0; move < kMostMoves; ++move) {
-        const Sample& worst = worst_seen(samples, point);
-        const double missing = least - seen(worst, point);
-        if (missing <= 0.0) {
-            return point;
-        }
-        point += 1.05 * missing * (point - worst.at.point).norm() * worst.at.inward;
+/// The normal of the plane in which circular arcs from the border to the pole arrive.
+Vector3d arriving(const std::vector<Sample>& samples, const Vector3d& pole) {
+    std::vector<Vector3d> arrivals;
+    for (const Sample& s : samples) {
+        const Vector3d chord = (pole - s.point).normalized();
+        arrivals.push_back(s.smooth ? Vector3d(2.0 * s.inwards.dot(chord) * chord - s.inwards)
+                                    : chord);
     }
-    return std::nullopt;
+    Vector3d area = Vector3d::Zero();
+    for (std::size_t k = 0; k < arrivals.size(); ++k) {
+        area += arrivals[k].cross(arrivals[(k + 1) % arrivals.size()]);
+    }
+    return area;
 }
 
-Result<Vector3d> in_sight(const std::vector<Sample>& samples, const Vector3d& point, bool given) {
-    if (!given) {
-        for (const double least : kSeen) {
-            if (const auto moved = moved_into_sight(samples, point, least)) {
-                return *moved;
-            }
-        }
-    }
-    const Sample& worst = worst_seen(samples, point);
-    const double least = *std::min_element(std::begin(kSeen), std::end(kSeen));
-    const double sine = seen(worst, point);
-    if (sine >= least) {
-        return point;
-    }
-    return fail(ErrorCode::Refused,
-                "the hole is not star-shaped: {} sees the closing point ({:.6g}, {:.6g}, {:.6g}) "
-                "at {:.3g} deg from its inside (limit {:.2g})",
-                name_of(*worst.ribbon), point.x(), point.y(), point.z(),
-                degrees(std::asin(std::clamp(sine, -1.0, 1.0))), degrees(std::asin(least)));
-}
-
-/// The directions' turning about the normal: 2 pi if they go around once, and never back.
+/// Whether the directions go around the normal once and never back.
 bool goes_around(const std::vector<Vector3d>& directions, const Vector3d& normal) {
     double turning = 0.0;
     const std::size_t m = directions.size();
@@ -157,67 +114,86 @@ bool goes_around(const std::vector<Vector3d>& directions, const Vector3d& normal
         const Vector3d& a = directions[j];
         const Vector3d& b = directions[(j + 1) % m];
         const double turn = std::atan2(normal.dot(a.cross(b)), a.dot(b));
-        if (!(turn > -1e-12)) {
+        constexpr double kRounding = 1e-9;
+        if (!(turn > -kRounding)) {
             return false;
         }
         turning += turn;
     }
-    return std::abs(turning - 2.0 * kPi) < 1e-6;
+    constexpr double kOnce = 1e-6;
+    return std::abs(turning - 2.0 * kPi) < kOnce;
+}
+
+std::vector<Vector3d> projected(const Eigen::Matrix3Xd& vectors, const Vector3d& normal) {
+    std::vector<Vector3d> directions;
+    for (Eigen::Index j = 0; j < vectors.cols(); ++j) {
+        const Vector3d v = vectors.col(j);
+        directions.push_back((v - normal * normal.dot(v)).normalized());
+    }
+    return directions;
+}
+
+/// The layout's directions in the pole's plane, turned so that they fit the arcs' arrivals best.
+std::vector<Vector3d> turned(const Pole& pole, const Eigen::Matrix3Xd& border,
+                             const Eigen::Matrix3Xd& tangents, const Eigen::Matrix2Xd& plane) {
+    const Vector3d x = pole.normal.unitOrthogonal();
+    const Vector3d y = pole.normal.cross(x);
+    std::complex<double> turn = 0.0;
+    for (Eigen::Index j = 0; j < plane.cols(); ++j) {
+        const Vector3d chord = (border.col(j) - pole.point).normalized();
+        const Vector3d leaving = tangents.col(j).normalized();
+        const Vector3d wanted = 2.0 * leaving.dot(chord) * chord - leaving;
+        const std::complex<double> flat(wanted.dot(x), wanted.dot(y));
+        turn += flat * std::conj(std::complex<double>(plane(0, j), plane(1, j)));
+    }
+    turn /= std::abs(turn);
+    std::vector<Vector3d> directions;
+    for (Eigen::Index j = 0; j < plane.cols(); ++j) {
+        const std::complex<double> d = turn * std::complex<double>(plane(0, j), plane(1, j));
+        directions.push_back((d.real() * x + d.imag() * y).normalized());
+    }
+    return directions;
 }
 
 }  // namespace
 
-Vector3d radial(const RibbonPoint& at, const Vector3d& pole) {
-    const Vector3d outwards = at.point - pole;
-    return (outwards - at.normal * at.normal.dot(outwards)).normalized();
-}
-
-Result<Pole> find_pole(const RibbonLoop& loop, double diameter,
+Result<Pole> find_pole(const RibbonLoop& loop, const Radials& radials,
                        const std::optional<Vector3d>& point,
                        const std::optional<Vector3d>& normal) {
-    const std::vector<Sample> samples = samples_of(loop);
-    const Vector3d centre = centre_of(samples);
-    const Vector3d area = area_vector(samples, centre);
-    if (!normal && !(area.norm() > 1e-6 * diameter * diameter)) {
-        return fail(ErrorCode::Refused,
-                    "the loop encloses no area in any projection: give the closing point and its "
-                    "normal");
-    }
-    Pole pole{point.value_or(centre), normal.value_or(area).normalized()};
+    const std::vector<Sample> samples = samples_of(loop, radials);
+    Pole pole{point.value_or(centre_of(samples)), Vector3d::Zero()};
+    pole.normal = normal.value_or(area_around(samples, pole.point)).normalized();
     for (int round = 0; round < kRounds; ++round) {
         if (!point) {
-            // On the axis through the centre, then to where all sides see it.
-            double height = 0.0;
-            double length = 0.0;
-            for (const Sample& s : samples) {
-                height += s.length * arc_height(s, centre, pole.normal);
-                length += s.length;
-            }
-            pole.point = centre + pole.normal * (height / length);
+            pole.point = nearest_to_chords(samples, pole.normal, pole.point);
         }
-        const auto moved = in_sight(samples, pole.point, point.has_value());
-        if (!moved) {
-            return tl::unexpected(moved.error());
-        }
-        pole.point = *moved;
         if (!normal) {
-            pole.normal = arriving(samples, pole.point, area);
+            const Vector3d area = arriving(samples, pole.point);
+            // Of arcs that arrive evenly from all around it is 2 pi.
+            constexpr double kLeastArea = 0.1;
+            if (!(area.norm() > kLeastArea)) {
+                return fail(ErrorCode::Refused,
+                            "no plane for the closing point is found: give it with its normal");
+            }
+            pole.normal = area.normalized();
         }
     }
     return pole;
 }
 
 Result<std::vector<Vector3d>> directions_at(const Pole& pole, const Eigen::Matrix3Xd& border,
-                                            const Eigen::Matrix3Xd& tangents) {
-    for (const bool by_tangents : {true, false}) {
-        std::vector<Vector3d> directions;
-        for (Eigen::Index j = 0; j < border.cols(); ++j) {
-            Vector3d d = by_tangents ? Vector3d(tangents.col(j)) : border.col(j) - pole.point;
-            d -= pole.normal * pole.normal.dot(d);
-            directions.push_back(d.normalized());
-        }
+                                            const Eigen::Matrix3Xd& tangents,
+                                            const Eigen::Matrix2Xd& plane) {
+    std::vector<std::vector<Vector3d>> candidates;
+    if (plane.cols() > 0) {
+        candidates.push_back(turned(pole, border, tangents, plane));
+    } else {
+        candidates.push_back(projected(tangents, pole.normal));
+        candidates.push_back(projected(border.colwise() - pole.point, pole.normal));
+    }
+    for (std::vector<Vector3d>& directions : candidates) {
         if (goes_around(directions, pole.normal)) {
-            return directions;
+            return std::move(directions);
         }
     }
     return fail(ErrorCode::Refused,

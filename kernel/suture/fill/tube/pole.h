@@ -1,6 +1,7 @@
 #pragma once
 
 #include "suture/base/result.h"
+#include "suture/fill/tube/radials.h"
 #include "suture/model/ribbon.h"
 
 #include <Eigen/Core>
@@ -16,26 +17,24 @@ struct Pole {
 };
 
 /// Where the tube closes: points and normals that were given are kept; else the point lies where
-/// circular arcs that leave the sides tangentially meet on the average, and the normal is that of
-/// the plane in which they arrive, so that windows in spheres get a point of the sphere.
+/// circular arcs that leave the border along the radials and end parallel to the pole's plane come
+/// nearest to each other, and the normal is that of the plane in which they arrive. Windows in
+/// spheres so get a point of the sphere.
 ///
-/// Refuses  a point from which a side is not seen from inside: the hole is not star-shaped there.
-[[nodiscard]] Result<Pole> find_pole(const RibbonLoop& loop, double diameter,
+/// Refuses  arcs that arrive from no side in particular.
+[[nodiscard]] Result<Pole> find_pole(const RibbonLoop& loop, const Radials& radials,
                                      const std::optional<Eigen::Vector3d>& point,
                                      const std::optional<Eigen::Vector3d>& normal);
 
-/// The outward radial direction at a border point: the unit projection of point - pole on the
-/// neighbour's tangent plane.
-[[nodiscard]] Eigen::Vector3d radial(const RibbonPoint& at, const Eigen::Vector3d& pole);
-
-/// Unit directions in the tangent plane of the pole, one for each column, in which the columns
-/// leave it: the projections of the border's tangents d_j, or of c_j - pole, whichever turn around
-/// the normal once without turning back.
+/// Unit directions in the pole's plane, one for each column, in which the columns leave it. From a
+/// given point these are the projections of the border's tangents d_j, or of c_j - pole if those
+/// turn back somewhere; from a layout its own directions, turned as the border's tangents want.
 ///
-/// Input    mirrored columns (at double knots) may have any direction.
-/// Refuses  if neither does.
+/// Input    plane: the columns in the layout, 2 x columns; empty if there is none.
+/// Refuses  directions that do not go around the normal once without turning back.
 [[nodiscard]] Result<std::vector<Eigen::Vector3d>> directions_at(const Pole& pole,
                                                                  const Eigen::Matrix3Xd& border,
-                                                                 const Eigen::Matrix3Xd& tangents);
+                                                                 const Eigen::Matrix3Xd& tangents,
+                                                                 const Eigen::Matrix2Xd& plane);
 
 }  // namespace suture::tube
