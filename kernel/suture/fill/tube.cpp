@@ -72,9 +72,9 @@ Result<tube::FairingTask> task_of(const OptionValues& own, const tube::Pole& pol
     return task;
 }
 
-Result<Aim> take_aim(const Hole& hole, const OptionValues& own) {
+Result<Aim> take_aim(const Hole& hole, const OptionValues& own,
+                     const std::optional<Vector3d>& point) {
     const RibbonLoop& loop = hole.loops.front();
-    const auto point = find_vector(own, "pole");
     auto radials = point ? tube::Radials::from_point(loop, *point)
                          : tube::Radials::developed(loop, hole.diameter);
     if (!radials) {
@@ -88,14 +88,13 @@ Result<Aim> take_aim(const Hole& hole, const OptionValues& own) {
 }
 
 /// The tube with so many layers.
-Result<Tube> make_tube(const RibbonLoop& loop, const Aim& aim, const FillOptions& options,
-                       int layers) {
+Result<Tube> make_tube(const RibbonLoop& loop, const Aim& aim, const OptionValues& own,
+                       const Tolerance& tolerance, int layers) {
     const std::vector<double> across = tube::knots_across(layers);
     const tube::Border border(loop, aim.radials, aim.pole.point, kAround, across.back());
-    const tube::Divisions divisions =
-        tube::divide(border, options.tolerance, std::ldexp(1.0, -layers));
+    const tube::Divisions divisions = tube::divide(border, tolerance, std::ldexp(1.0, -layers));
     const tube::BorderRows rows = tube::fit_border(border, divisions);
-    const auto task = task_of(options.own, aim.pole, rows, divisions);
+    const auto task = task_of(own, aim.pole, rows, divisions);
     if (!task) {
         return tl::unexpected(task.error());
     }
@@ -122,21 +121,27 @@ Result<Tube> make_tube(const RibbonLoop& loop, const Aim& aim, const FillOptions
     return result;
 }
 
-/// As many layers as keep the creases small: they fall in proportion to the last layer's width.
-Result<Tube> make_smooth(const RibbonLoop& loop, const Aim& aim, const FillOptions& options) {
-    const auto given = find_count(options.own, "layers");
-    int layers = given.value_or(kFewestLayers);
+/// As many layers as keep the creases small: they fall in proportion to the last layer's width,
+/// whatever the number of columns, and so are found with few.
+Result<int> find_layers(const RibbonLoop& loop, const Aim& aim, const FillOptions& options) {
+    constexpr double kCoarse = 30.0;
+    Tolerance coarse = options.tolerance;
+    coarse.linear *= kCoarse;
+    coarse.angular *= kCoarse;
     const double limit = kCrease * options.tolerance.angular;
-    for (;;) {
+    for (int layers = kFewestLayers;;) {
         if (options.progress.cancelled()) {
             return fail(ErrorCode::Cancelled, "stopped while filling");
         }
-        auto tube = make_tube(loop, aim, options, layers);
-        if (!tube || given || tube->crease <= limit || layers >= kMostLayers) {
-            return tube;
+        const auto tube = make_tube(loop, aim, options.own, coarse, layers);
+        if (!tube) {
+            return tl::unexpected(tube.error());
+        }
+        if (tube->crease <= limit || layers >= kMostLayers) {
+            return layers;
         }
         const int more = static_cast<int>(std::ceil(std::log2(tube->crease / limit)));
-        layers = std::min(layers + std::clamp(more, 1, 3), kMostLayers);
+        layers = std::min(layers + std::max(more, 1), kMostLayers);
     }
 }
 
@@ -187,21 +192,21 @@ Patch patch_of(const tube::Net& net, const RibbonLoop& loop, const Aim& aim) {
 
 }  // namespace
 
-Result<FillResult> fill_tube(const Hole& hole, const FillOptions& options) {
-    if (const auto treatable = expect_treatable(hole, options); !treatable) {
-        return tl::unexpected(treatable.error());
-    }
+namespace {
+
+Result<FillResult> fill_from(const Hole& hole, const FillOptions& options, const Aim& aim) {
     const RibbonLoop& loop = hole.loops.front();
-    const auto aim = take_aim(hole, options.own);
-    if (!aim) {
-        return tl::unexpected(aim.error());
+    const auto given = find_count(options.own, "layers");
+    const auto layers = given ? Result<int>(*given) : find_layers(loop, aim, options);
+    if (!layers) {
+        return tl::unexpected(layers.error());
     }
-    const auto tube = make_smooth(loop, *aim, options);
+    const auto tube = make_tube(loop, aim, options.own, options.tolerance, *layers);
     if (!tube) {
         return tl::unexpected(tube.error());
     }
     const tube::Net& net = tube->fairing.net;
-    const tube::Fold fold = tube::measure_fold(net, aim->pole.normal);
+    const tube::Fold fold = tube::measure_fold(net, aim.pole.normal);
     if (fold.turn > kMostTurn) {
         return fail(ErrorCode::Refused,
                     "the surface folds: its normal turns by {:.1f} deg within a patch (limit "
@@ -209,13 +214,37 @@ Result<FillResult> fill_tube(const Hole& hole, const FillOptions& options) {
                     degrees(fold.turn), degrees(kMostTurn), fold.u, fold.v);
     }
     FillResult result;
-    result.patches.push_back(patch_of(net, loop, *aim));
+    result.patches.push_back(patch_of(net, loop, aim));
     result.notes.push_back(fmt::format(
         "{} x {} poles, closed at ({:.6g}, {:.6g}, {:.6g}); at ribbon samples between the fitted "
         "ones: gap {:.2g}, angle {:.2g} deg; crease along the corners' lines {:.2g} deg",
         net.rows(), net.columns(), tube->fairing.pole.x(), tube->fairing.pole.y(),
         tube->fairing.pole.z(), tube->gap, degrees(tube->angle), degrees(tube->crease)));
     return result;
+}
+
+}  // namespace
+
+Result<FillResult> fill_tube(const Hole& hole, const FillOptions& options) {
+    if (const auto treatable = expect_treatable(hole, options); !treatable) {
+        return tl::unexpected(treatable.error());
+    }
+    const auto point = find_vector(options.own, "pole");
+    const auto aim = take_aim(hole, options.own, point);
+    if (!aim) {
+        return tl::unexpected(aim.error());
+    }
+    auto fill = fill_from(hole, options, *aim);
+    if (fill || point || fill.error().code != ErrorCode::Refused) {
+        return fill;
+    }
+    // The radials of the layout do not suit: those seen from the same point in space may.
+    const auto seen = take_aim(hole, options.own, aim->pole.point);
+    if (!seen) {
+        return fill;
+    }
+    auto again = fill_from(hole, options, *seen);
+    return again ? again : fill;
 }
 
 }  // namespace suture

@@ -69,12 +69,16 @@ Vector3d chord_of(const Sample& sample, const Vector3d& normal, const Vector3d& 
     }
     const double rise = normal.dot(sample.inwards);
     const Vector3d level = sample.inwards - rise * normal;
-    if (!(level.norm() > 0.0)) {
-        return sample.inwards;
+    Vector3d towards = pole - sample.point;
+    towards = (towards - normal * normal.dot(towards)).normalized();
+    // Where it stands upright, or leans outwards, it has no direction of its own.
+    constexpr double kUpright = 0.5;
+    if (level.dot(towards) > kUpright) {
+        towards = level.normalized();
     }
     // Its slope falls evenly to zero: the chord has half of the first one.
-    const double half = 0.5 * std::asin(std::clamp(rise, -1.0, 1.0));
-    return std::cos(half) * level.normalized() + std::sin(half) * normal;
+    const double half = 0.5 * std::atan2(rise, level.dot(towards));
+    return std::cos(half) * towards + std::sin(half) * normal;
 }
 
 /// The point nearest to the chords, as lines.
