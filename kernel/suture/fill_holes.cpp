@@ -1,8 +1,8 @@
 #include "suture/fill_holes.h"
 
 #include "suture/check/continuity.h"
-#include "suture/choose/choose.h"
 #include "suture/choose/select.h"
+#include "suture/choose/smoothest.h"
 #include "suture/choose/wishes.h"
 #include "suture/detect/find_loops.h"
 #include "suture/faces/join.h"
@@ -62,34 +62,43 @@ HoleReport begin_report(const std::vector<BoundaryLoop>& loops, const FillReques
     return report;
 }
 
-void ask(Hole& hole, const FillRequest& request, HoleReport& report) {
-    const std::vector<Wish> wishes = wishes_for(hole, request);
+/// What every ribbon should do, as the wishes have it.
+void ask(Hole& hole, const std::vector<Wish>& wishes) {
     std::size_t next = 0;
     for (RibbonLoop& loop : hole.loops) {
         for (Ribbon& ribbon : loop.ribbons) {
-            const Wish& wish = wishes[next++];
-            ribbon.continuity = wish.continuity;
-            SideReport side;
+            ribbon.continuity = wishes[next++].continuity;
+        }
+    }
+}
+
+void report_wishes(const Hole& hole, const std::vector<Wish>& wishes, HoleReport& report) {
+    report.sides.clear();
+    report.continuity_requested = Continuity::G0;
+    for (const RibbonLoop& loop : hole.loops) {
+        for (const Ribbon& ribbon : loop.ribbons) {
+            const Wish& wish = wishes[report.sides.size()];
+            SideReport& side = report.sides.emplace_back();
             side.edge = ribbon.edge;
             side.face = ribbon.face;
             side.requested = wish.continuity;
             side.reason = wish.reason;
-            report.sides.push_back(side);
+            report.continuity_requested = std::max(report.continuity_requested, wish.continuity);
         }
     }
-    report.continuity_requested =
-        std::max_element(wishes.begin(), wishes.end(), [](const Wish& a, const Wish& b) {
-            return a.continuity < b.continuity;
-        })->continuity;
 }
 
 /// The measures of the sides, their maxima, and what they amount to.
-void conclude(const std::vector<SideMeasure>& sides, const Tolerance& tolerance,
-              HoleReport& report) {
-    bool g1 = true;
-    bool g2 = true;
-    report.within_tolerance = true;
-    report.max_gap = report.max_angle = report.max_curvature_mismatch = 0.0;
+void conclude(const TrialMeasure& measured, const Tolerance& tolerance, HoleReport& report) {
+    const std::vector<SideMeasure>& sides = measured.sides;
+    const SideMeasure& inner = measured.inner;
+    bool g1 = score_of(inner, Continuity::G1, tolerance) <= 1.0;
+    bool g2 = score_of(inner, Continuity::G2, tolerance) <= 1.0;
+    report.within_tolerance = score_of(inner, report.continuity_requested, tolerance) <= 1.0;
+    report.max_gap = inner.gap;
+    report.max_angle = report.continuity_requested >= Continuity::G1 ? inner.angle : 0.0;
+    report.max_curvature_mismatch =
+        report.continuity_requested >= Continuity::G1 ? inner.curvature_mismatch : 0.0;
     for (std::size_t i = 0; i < sides.size(); ++i) {
         SideReport& side = report.sides[i];
         side.gap = sides[i].gap;
@@ -119,9 +128,11 @@ Result<std::vector<TopoDS_Face>> fill_one(const std::vector<BoundaryLoop>& loops
         return tl::unexpected(hole.error());
     }
     hole->through = report.through = request.through;
-    ask(*hole, request, report);
+    std::vector<Wish> wishes = wishes_for(*hole, request);
+    ask(*hole, wishes);
     const Tolerance tolerance = reachable(request, *hole, report);
-    const auto choice = choose_fill(loops, *hole, request, tolerance);
+    const auto choice = choose_smoothest(loops, *hole, wishes, request, tolerance);
+    report_wishes(*hole, wishes, report);
     if (!choice) {
         return tl::unexpected(choice.error());
     }
@@ -141,7 +152,7 @@ Result<std::vector<TopoDS_Face>> fill_one(const std::vector<BoundaryLoop>& loops
     for (const Patch& patch : choice->fill.patches) {
         report.patches.push_back(facts_of(patch));
     }
-    conclude(choice->measured.sides, tolerance, report);
+    conclude(choice->measured, tolerance, report);
     report.max_distance_through = choice->measured.through;
     report.within_tolerance =
         report.within_tolerance && report.max_distance_through <= tolerance.linear;

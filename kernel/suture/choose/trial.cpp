@@ -15,6 +15,7 @@
 #include <TopoDS_Compound.hxx>
 
 #include <algorithm>
+#include <set>
 
 namespace suture {
 namespace {
@@ -50,6 +51,32 @@ CopiedHole copy_of(const std::vector<BoundaryLoop>& loops) {
     return result;
 }
 
+/// The edges of new faces that are no sides of the hole.
+std::vector<int> inner_edges(const std::vector<TopoDS_Face>& faces, const std::vector<int>& sides,
+                             const occ::Numbering& numbering) {
+    std::set<int> inner;
+    for (const TopoDS_Face& face : faces) {
+        for (const TopoDS_Edge& edge : occ::edges_of(face)) {
+            inner.insert(numbering.of(edge));
+        }
+    }
+    for (const int side : sides) {
+        inner.erase(side);
+    }
+    return {inner.begin(), inner.end()};
+}
+
+/// New faces have to meet each other as well as they meet the neighbours.
+Continuity highest_wish(const Hole& hole) {
+    Continuity highest = Continuity::G0;
+    for (const RibbonLoop& loop : hole.loops) {
+        for (const Ribbon& ribbon : loop.ribbons) {
+            highest = std::max(highest, ribbon.continuity);
+        }
+    }
+    return highest;
+}
+
 Result<TrialMeasure> measure(const CopiedHole& copied, const Hole& hole,
                              const std::vector<TopoDS_Face>& faces, const Tolerance& tolerance,
                              const Progress& progress) {
@@ -65,9 +92,12 @@ Result<TrialMeasure> measure(const CopiedHole& copied, const Hole& hole,
             edges.push_back(numbering.of(edge.edge));
         }
     }
+    std::vector<int> inner = inner_edges(faces, edges, numbering);
+    std::vector<int> all = edges;
+    all.insert(all.end(), inner.begin(), inner.end());
     Profile profile;
     profile.tolerance = tolerance;
-    const auto report = measure_continuity(model, profile, edges, progress);
+    const auto report = measure_continuity(model, profile, all, progress);
     if (!report) {
         return tl::unexpected(report.error());
     }
@@ -87,6 +117,15 @@ Result<TrialMeasure> measure(const CopiedHole& copied, const Hole& hole,
             result.sides.push_back(side);
         }
     }
+    for (const EdgeContinuity& edge : report->edges) {
+        if (std::find(inner.begin(), inner.end(), edge.edge) != inner.end()) {
+            result.inner.gap = std::max(result.inner.gap, edge.max_gap);
+            result.inner.angle = std::max(result.inner.angle, edge.max_angle);
+            result.inner.curvature_mismatch =
+                std::max(result.inner.curvature_mismatch, edge.curvature_mismatch);
+        }
+    }
+    result.score = std::max(result.score, score_of(result.inner, highest_wish(hole), tolerance));
     for (const Eigen::Vector3d& point : hole.through) {
         result.through = std::max(result.through, measure_distance(point, faces));
     }

@@ -22,6 +22,7 @@ struct SideMeasure {
 /// A fill as it would be in the model.
 struct TrialMeasure {
     std::vector<SideMeasure> sides;  ///< in the order of the loops
+    SideMeasure inner;               ///< the largest along the edges between the new faces
     double through = 0.0;            ///< largest distance of an inner point from the new faces
     double score = 0.0;  ///< largest measure over its tolerance, of what each side asked for: <= 1
                          ///< is within tolerance

@@ -1,121 +1,24 @@
 #include "suture/faces/make_faces.h"
 
+#include "suture/faces/inner_edges.h"
 #include "suture/faces/pcurve.h"
+#include "suture/faces/put_on_surface.h"
 #include "suture/faces/seam.h"
 #include "suture/occ/convert.h"
 #include "suture/occ/guard.h"
 
-#include <BRepCheck_Analyzer.hxx>
 #include <BRep_Builder.hxx>
-#include <BRep_Tool.hxx>
-#include <Geom2d_Curve.hxx>
-#include <Geom_Curve.hxx>
-#include <Geom_Plane.hxx>
 #include <Precision.hxx>
 #include <TopExp.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Wire.hxx>
 
 #include <algorithm>
-#include <cmath>
 
 namespace suture {
 namespace {
 
 using occ::Handle;
-
-/// Samples per edge for the distance between its curve and the new surface.
-constexpr int kSamples = 400;
-
-/// Golden sections of the intervals about a peak among the samples: below 1e-6 of its width.
-constexpr int kSections = 28;
-
-/// Peaks this much lower than the highest sample cannot hide the largest distance.
-constexpr double kWorthALook = 0.5;
-
-/// A tolerance covers the largest distance found and a little more.
-constexpr double kMargin = 1.01;
-
-/// The largest value in an interval that has one peak.
-double peak(const std::function<double(double)>& f, double low, double high) {
-    const double golden = 0.5 * (std::sqrt(5.0) - 1.0);
-    double a = high - golden * (high - low);
-    double b = low + golden * (high - low);
-    double at_a = f(a);
-    double at_b = f(b);
-    for (int k = 0; k < kSections; ++k) {
-        if (at_a > at_b) {
-            high = b;
-            b = a;
-            at_b = at_a;
-            a = high - golden * (high - low);
-            at_a = f(a);
-        } else {
-            low = a;
-            a = b;
-            at_a = at_b;
-            b = low + golden * (high - low);
-            at_b = f(b);
-        }
-    }
-    return std::max(at_a, at_b);
-}
-
-/// The largest distance along an edge: BRepCheck samples elsewhere than we do, so that the peaks
-/// count.
-double largest_along(double first, double last, const std::function<double(double)>& distance) {
-    const auto parameter = [&](int k) { return first + (last - first) * k / kSamples; };
-    std::vector<double> samples;
-    for (int k = 0; k <= kSamples; ++k) {
-        samples.push_back(distance(parameter(k)));
-    }
-    const double highest = *std::max_element(samples.begin(), samples.end());
-    double largest = highest;
-    for (int k = 0; k <= kSamples; ++k) {
-        const int before = std::max(k - 1, 0);
-        const int after = std::min(k + 1, kSamples);
-        const auto value = [&](int i) { return samples[static_cast<std::size_t>(i)]; };
-        if (value(k) >= std::max({value(before), value(after), kWorthALook * highest})) {
-            largest = std::max(largest, peak(distance, parameter(before), parameter(after)));
-        }
-    }
-    return largest;
-}
-
-/// Gives the edge its curve on the new surface; planes need none.
-void put_on_surface(const TopoDS_Edge& edge, const Handle<Geom_Surface>& surface,
-                    const Ribbon& ribbon, const TrimCurve& trim, double accuracy, NewFaces& made) {
-    double first = 0.0;
-    double last = 0.0;
-    const Handle<Geom_Curve> curve = BRep_Tool::Curve(edge, first, last);
-    const BRep_Builder builder;
-    double distance = 0.0;
-    if (const auto plane = occ::cast<Geom_Plane>(surface)) {
-        const gp_Pln pln = plane->Pln();
-        distance =
-            largest_along(first, last, [&](double t) { return pln.Distance(curve->Value(t)); });
-    } else {
-        const auto at = [&](double t) {
-            return trim((t - ribbon.first) / (ribbon.last - ribbon.first));
-        };
-        const Handle<Geom2d_Curve> pcurve = fit_pcurve(at, first, last, *surface, accuracy);
-        distance = largest_along(first, last, [&](double t) {
-            const gp_Pnt2d uv = pcurve->Value(t);
-            return curve->Value(t).Distance(surface->Value(uv.X(), uv.Y()));
-        });
-        builder.UpdateEdge(edge, pcurve, surface, TopLoc_Location(), 0.0);
-    }
-    if (distance > BRep_Tool::Tolerance(edge)) {
-        const double needed = distance * kMargin;
-        builder.UpdateEdge(edge, needed);
-        for (const TopoDS_Vertex& vertex : {TopExp::FirstVertex(edge), TopExp::LastVertex(edge)}) {
-            builder.UpdateVertex(vertex, needed);
-        }
-        ++made.grown_edges;
-        made.grown_tolerance = std::max(made.grown_tolerance, needed);
-    }
-    made.max_gap = std::max(made.max_gap, distance);
-}
 
 TopoDS_Wire wire_of(std::vector<TopoDS_Edge> edges, bool reversed) {
     if (reversed) {
@@ -213,10 +116,16 @@ class Outline {
     }
 };
 
-Result<NewFaces> make(const std::vector<BoundaryLoop>& loops, const Hole& hole,
-                      const FillResult& result) {
-    NewFaces made;
-    for (const Patch& patch : result.patches) {
+/// The faces of one fill.
+class FaceMaker {
+  public:
+    FaceMaker(const std::vector<BoundaryLoop>& loops, const Hole& hole, const FillResult& result)
+        : loops_(loops),
+          hole_(hole),
+          accuracy_(kPcurveAccuracy * hole.diameter),
+          inner_(loops, result, accuracy_) {}
+
+    [[nodiscard]] Result<void> add(const Patch& patch) {
         const auto surface = occ::to_occ(patch.surface);
         if (!surface) {
             return tl::unexpected(surface.error());
@@ -224,29 +133,123 @@ Result<NewFaces> make(const std::vector<BoundaryLoop>& loops, const Hole& hole,
         const BRep_Builder builder;
         TopoDS_Face face;
         builder.MakeFace(face, *surface, Precision::Confusion());
-        const double accuracy = kPcurveAccuracy * hole.diameter;
-        for (std::size_t l = 0; l < loops.size(); ++l) {
-            for (std::size_t i = 0; i < loops[l].edges.size(); ++i) {
-                put_on_surface(loops[l].edges[i].edge, *surface, hole.loops[l].ribbons[i],
-                               patch.trims[l][i], accuracy, made);
-            }
-        }
-        for (const TopoDS_Wire& wire : Outline(loops, patch, *surface, accuracy).wires()) {
+        for (const TopoDS_Wire& wire :
+             patch.wires.empty() ? trimmed(patch, *surface) : outlined(patch, *surface)) {
             builder.Add(face, wire);
         }
         if (patch.reversed) {
             face.Reverse();
         }
-        made.faces.push_back(face);
+        made_.faces.push_back(face);
+        return {};
     }
-    return made;
-}
+
+    [[nodiscard]] NewFaces take() { return std::move(made_); }
+
+  private:
+    const std::vector<BoundaryLoop>& loops_;
+    const Hole& hole_;
+    double accuracy_;
+    InnerEdges inner_;
+    NewFaces made_;
+
+    /// The wires of a patch that fills the hole alone.
+    [[nodiscard]] std::vector<TopoDS_Wire> trimmed(const Patch& patch,
+                                                   const Handle<Geom_Surface>& surface) {
+        for (std::size_t l = 0; l < loops_.size(); ++l) {
+            for (std::size_t i = 0; i < loops_[l].edges.size(); ++i) {
+                put_side(static_cast<int>(l), static_cast<int>(i), patch.trims[l][i], surface);
+            }
+        }
+        return Outline(loops_, patch, surface, accuracy_).wires();
+    }
+
+    /// The wires of a patch among others.
+    [[nodiscard]] std::vector<TopoDS_Wire> outlined(const Patch& patch,
+                                                    const Handle<Geom_Surface>& surface) {
+        std::vector<TopoDS_Wire> wires;
+        for (const std::vector<EdgeUse>& uses : patch.wires) {
+            std::vector<TopoDS_Edge> edges;
+            for (std::size_t k = 0; k < uses.size(); ++k) {
+                const EdgeUse& use = uses[k];
+                edges.push_back(put(use, patch, surface));
+                if (use.pole_after) {
+                    const EdgeUse& next = uses[(k + 1) % uses.size()];
+                    edges.push_back(make_degenerated(
+                        use.at(use.backwards ? 0.0 : 1.0), next.at(next.backwards ? 1.0 : 0.0),
+                        surface, TopExp::LastVertex(edges.back(), /*CumOri=*/Standard_True)));
+                }
+            }
+            wires.push_back(wire_of(std::move(edges), patch.reversed));
+        }
+        return wires;
+    }
+
+    [[nodiscard]] TopoDS_Edge put(const EdgeUse& use, const Patch& patch,
+                                  const Handle<Geom_Surface>& surface) {
+        if (use.loop >= 0) {
+            put_side(use.loop, use.index, use.at, surface);
+            return loops_[static_cast<std::size_t>(use.loop)]
+                .edges[static_cast<std::size_t>(use.index)]
+                .edge;
+        }
+        const TopoDS_Edge& edge = inner_.edge(use, surface);
+        const EdgeUse* other = other_use(use, patch);
+        if (other == nullptr) {
+            note(put_on_surface(edge, surface, use.at, accuracy_));
+        } else if (!use.backwards) {
+            // Turning the wires over turns the uses over.
+            note(patch.reversed
+                     ? put_on_surface_twice(edge, surface, other->at, use.at, accuracy_)
+                     : put_on_surface_twice(edge, surface, use.at, other->at, accuracy_));
+        }
+        return use.backwards ? TopoDS::Edge(edge.Reversed()) : edge;
+    }
+
+    /// The other use of a seam.
+    static const EdgeUse* other_use(const EdgeUse& use, const Patch& patch) {
+        for (const std::vector<EdgeUse>& uses : patch.wires) {
+            for (const EdgeUse& other : uses) {
+                if (&other != &use && other.loop < 0 && other.index == use.index) {
+                    return &other;
+                }
+            }
+        }
+        return nullptr;
+    }
+
+    void put_side(int loop, int side, const TrimCurve& trim, const Handle<Geom_Surface>& surface) {
+        const auto l = static_cast<std::size_t>(loop);
+        const auto i = static_cast<std::size_t>(side);
+        const Ribbon& ribbon = hole_.loops[l].ribbons[i];
+        const auto at = [&](double t) {
+            return trim((t - ribbon.first) / (ribbon.last - ribbon.first));
+        };
+        note(put_on_surface(loops_[l].edges[i].edge, surface, at, accuracy_));
+    }
+
+    void note(const Placed& placed) {
+        made_.max_gap = std::max(made_.max_gap, placed.gap);
+        if (placed.tolerance > 0.0) {
+            ++made_.grown_edges;
+            made_.grown_tolerance = std::max(made_.grown_tolerance, placed.tolerance);
+        }
+    }
+};
 
 }  // namespace
 
 Result<NewFaces> make_faces(const std::vector<BoundaryLoop>& loops, const Hole& hole,
                             const FillResult& result) {
-    return occ::guarded("making the new face", [&] { return make(loops, hole, result); });
+    return occ::guarded("making the new face", [&]() -> Result<NewFaces> {
+        FaceMaker maker(loops, hole, result);
+        for (const Patch& patch : result.patches) {
+            if (const auto added = maker.add(patch); !added) {
+                return tl::unexpected(added.error());
+            }
+        }
+        return maker.take();
+    });
 }
 
 }  // namespace suture

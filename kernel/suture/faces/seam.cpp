@@ -1,5 +1,6 @@
 #include "suture/faces/seam.h"
 
+#include "suture/faces/put_on_surface.h"
 #include "suture/occ/convert.h"
 
 #include <BRepBuilderAPI_MakeEdge.hxx>
@@ -19,9 +20,6 @@ namespace {
 
 using Eigen::Vector2d;
 using occ::Handle;
-
-/// A vertex's tolerance covers what was measured and the rounding of a file.
-constexpr double kMargin = 1.01;
 
 /// Below OCCT's smallest tolerance a curve need not be fitted better than by this share of it.
 constexpr double kFitShare = 1e-3;
@@ -68,13 +66,6 @@ Course slanting(const Seam& seam, const Handle<Geom_Surface>& surface, double ac
     double last = 0.0;
     course.curve = BRep_Tool::Curve(edge, first, last);
     return course;
-}
-
-void reach(const TopoDS_Vertex& vertex, const gp_Pnt& point) {
-    const double distance = BRep_Tool::Pnt(vertex).Distance(point);
-    if (distance > BRep_Tool::Tolerance(vertex)) {
-        BRep_Builder().UpdateVertex(vertex, distance * kMargin);
-    }
 }
 
 }  // namespace

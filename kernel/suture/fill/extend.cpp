@@ -212,7 +212,9 @@ Result<FillResult> fill_extend(const Hole& hole, const FillOptions& options) {
             row.push_back(extend::trim_of(shared, hole.loops[l].ribbons[i], traces[l].sides[i]));
         }
     }
-    return FillResult{{std::move(patch)}, {}};
+    FillResult result;
+    result.patches.push_back(std::move(patch));
+    return result;
 }
 
 }  // namespace suture

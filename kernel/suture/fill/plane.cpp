@@ -94,7 +94,9 @@ Result<FillResult> fill_plane(const Hole& hole, const FillOptions& options) {
         }
         patch.trims.push_back(std::move(trims));
     }
-    return FillResult{{std::move(patch)}, {}};
+    FillResult result;
+    result.patches.push_back(std::move(patch));
+    return result;
 }
 
 }  // namespace suture

@@ -34,7 +34,31 @@ struct Seam {
     Eigen::Vector2d period = Eigen::Vector2d::Zero();  ///< to the seam's other place in the domain
 };
 
-/// One surface trimmed by the hole's loops.
+/// Where an inner edge starts or ends: in a corner of the hole, or in a vertex of its own.
+struct Node {
+    int loop = -1;  ///< where ribbon `index` of this loop starts; -1: inner vertex `index`
+    int index = 0;
+};
+
+/// An edge that a fill adds between its patches, or along which a closed patch meets itself.
+struct InnerEdge {
+    Node from, to;
+};
+
+/// One edge of a patch's outline.
+struct EdgeUse {
+    int loop = -1;           ///< ribbon `index` of this loop; -1: inner edge `index`
+    int index = 0;           ///< 0-based
+    bool backwards = false;  ///< walked from its end to its start; never a ribbon
+    /// (u, v) for the edge's own s in [0,1], which runs from its start to its end either way. Both
+    /// patches of an inner edge have the same point at the same s.
+    TrimCurve at;
+    /// The outline goes on along a border of the domain that is one point, to where the next use
+    /// starts.
+    bool pole_after = false;
+};
+
+/// One surface trimmed by the hole's loops, or by an outline of sides and inner edges.
 struct Patch {
     Surface surface;
     bool reversed = false;   ///< the outward normal is -(X_u x X_v)
@@ -50,11 +74,17 @@ struct Patch {
     /// seam->from at the seam's corner to from + period, trims[seam->other_loop] from to + period
     /// to `to`; all other loops lie between the two places of the seam.
     std::optional<Seam> seam;
+    /// Of a patch that is not alone: its wires, the outer one first, in place of trims,
+    /// pole_corners and seam. The interior lies to the left of each, or to the right where
+    /// `reversed`. An inner edge that is used twice by one patch, once backwards, is a seam.
+    std::vector<std::vector<EdgeUse>> wires;
 };
 
 /// What a fill method made of a hole.
 struct FillResult {
-    std::vector<Patch> patches;
+    std::vector<Patch> patches;  ///< each has an edge of the hole or of a patch before it
+    std::vector<Eigen::Vector3d> inner_vertices;
+    std::vector<InnerEdge> inner_edges;
     std::vector<std::string> notes;  ///< what the user should know: relaxed corners, chosen counts
 };
 

@@ -1,0 +1,43 @@
+#pragma once
+
+#include "suture/occ/handle.h"
+
+#include <Eigen/Core>
+
+#include <Geom_Surface.hxx>
+#include <TopoDS_Edge.hxx>
+#include <TopoDS_Vertex.hxx>
+#include <gp_Pnt.hxx>
+
+#include <functional>
+
+namespace suture {
+
+/// How far an edge's curve lies from a surface, and what that asked for.
+struct Placed {
+    double gap = 0.0;        ///< largest distance, model units
+    double tolerance = 0.0;  ///< the edge's new tolerance, 0 if the old one was large enough
+};
+
+/// Gives an edge its curve on a further surface; planes need none.
+///
+/// Input    at: (u, v) at the edge's parameter t; accuracy: of the pcurve, model units.
+/// Changes  the edge: the tolerances of it and its vertices grow where the gap needs it.
+[[nodiscard]] Placed put_on_surface(const TopoDS_Edge& edge,
+                                    const occ::Handle<Geom_Surface>& surface,
+                                    const std::function<Eigen::Vector2d(double t)>& at,
+                                    double accuracy);
+
+/// The same for an edge that the surface meets twice, a seam.
+///
+/// Input    forward, reversed: (u, v) where the face uses the edge in that orientation.
+[[nodiscard]] Placed put_on_surface_twice(const TopoDS_Edge& edge,
+                                          const occ::Handle<Geom_Surface>& surface,
+                                          const std::function<Eigen::Vector2d(double t)>& forward,
+                                          const std::function<Eigen::Vector2d(double t)>& reversed,
+                                          double accuracy);
+
+/// The vertex's tolerance grows if it does not cover the point.
+void reach(const TopoDS_Vertex& vertex, const gp_Pnt& point);
+
+}  // namespace suture
