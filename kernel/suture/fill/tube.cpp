@@ -129,11 +129,13 @@ Result<int> find_layers(const RibbonLoop& loop, const Aim& aim, const FillOption
     coarse.linear *= kCoarse;
     coarse.angular *= kCoarse;
     const double limit = kCrease * options.tolerance.angular;
+    OptionValues own = options.own;
+    own.erase("curvature");  // at the pole, far from the border's layers
     for (int layers = kFewestLayers;;) {
         if (options.progress.cancelled()) {
             return fail(ErrorCode::Cancelled, "stopped while filling");
         }
-        const auto tube = make_tube(loop, aim, options.own, coarse, layers);
+        const auto tube = make_tube(loop, aim, own, coarse, layers);
         if (!tube) {
             return tl::unexpected(tube.error());
         }

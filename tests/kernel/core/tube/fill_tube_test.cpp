@@ -181,6 +181,9 @@ TEST(FillTube, BendsAtThePoleAsAskedFor) {
     const Hole hole = zoo::suitcase_corner(6.0);
     for (const double kappa : {-0.3, 0.0, 0.2}) {
         FillOptions options = options_for(hole);
+        options.tolerance.angular = radians(2.0);
+        options.tolerance.linear = 1e-3 * hole.diameter;
+        options.own["layers"] = {OptionKind::Count, {1.0}, {}};
         options.own["curvature"] = {OptionKind::Numbers, {kappa}, {}};
         const auto fill = fill_tube(hole, options);
         ASSERT_TRUE(fill) << fill.error().message;
