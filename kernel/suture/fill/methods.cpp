@@ -3,6 +3,7 @@
 #include "suture/fill/fill.h"
 #include "suture/fill/mvs.h"
 #include "suture/fill/plane.h"
+#include "suture/fill/tube.h"
 
 #include <array>
 
@@ -22,6 +23,9 @@ std::span<const FillMethod> fill_methods() {
                    "concentric mapping, 2003",
                    "any, no islands", Continuity::G1, &fill_concentric, concentric_options(),
                    /*in_auto=*/false},
+        FillMethod{"tube", "A tube around the hole that closes in a point, as one face",
+                   "Szilvasi-Nagy, Filling holes with B-spline surfaces, 2002", "1 loop",
+                   Continuity::G1, &fill_tube, kTubeOptions, /*in_auto=*/false},
     };
     return kMethods;
 }
