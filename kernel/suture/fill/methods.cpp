@@ -1,8 +1,10 @@
 #include "suture/fill/algebraic.h"
+#include "suture/fill/concentric.h"
 #include "suture/fill/extend.h"
 #include "suture/fill/fill.h"
 #include "suture/fill/mvs.h"
 #include "suture/fill/plane.h"
+#include "suture/fill/tube.h"
 
 #include <array>
 
@@ -21,6 +23,14 @@ std::span<const FillMethod> fill_methods() {
                    "Chen, Chen, Deng & Feng, Filling holes with piecewise algebraic surfaces, 2000",
                    "3 and more", Continuity::G2, &fill_algebraic, algebraic_options(),
                    /*in_auto=*/false},
+        FillMethod{"concentric", "A disc-like surface whose spokes end on the medial axis",
+                   "Martin & Cohen, Surface completion of an irregular boundary curve using a "
+                   "concentric mapping, 2003",
+                   "any, no islands", Continuity::G1, &fill_concentric, concentric_options(),
+                   /*in_auto=*/false},
+        FillMethod{"tube", "A tube around the hole that closes in a point, as one face",
+                   "Szilvasi-Nagy, Filling holes with B-spline surfaces, 2002", "1 loop",
+                   Continuity::G1, &fill_tube, kTubeOptions, /*in_auto=*/false},
     };
     return kMethods;
 }
