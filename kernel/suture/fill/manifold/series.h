@@ -14,9 +14,7 @@ class Series {
     using Value = Eigen::Matrix<double, Rows, 1>;
 
     Series() = default;
-    explicit Series(int order)
-        : order_(order),
-          terms_(Eigen::Matrix<double, Rows, Eigen::Dynamic>::Zero(Rows, index(0, order) + 1)) {}
+    explicit Series(int order) : order_(order), terms_(Terms::Zero(Rows, index(0, order) + 1)) {}
 
     [[nodiscard]] int order() const { return order_; }
     [[nodiscard]] auto term(int i, int j) { return terms_.col(index(i, j)); }
@@ -62,9 +60,13 @@ class Series {
     }
 
   private:
+    /// Up to the order 6 without asking for memory.
+    static constexpr int kMostTerms = 28;
+    using Terms = Eigen::Matrix<double, Rows, Eigen::Dynamic,
+                                Rows == 1 ? Eigen::RowMajor : Eigen::ColMajor, Rows, kMostTerms>;
+
     int order_ = 0;
-    Eigen::Matrix<double, Rows, Eigen::Dynamic> terms_ =
-        Eigen::Matrix<double, Rows, Eigen::Dynamic>::Zero(Rows, 1);
+    Terms terms_ = Terms::Zero(Rows, 1);
 
     /// Terms by their total order, so that a series of lower order is a beginning.
     static int index(int i, int j) { return (i + j) * (i + j + 1) / 2 + j; }
@@ -121,6 +123,23 @@ inline Series<1> polynomial(const Eigen::VectorXd& c, const Series<1>& x) {
 inline Series<1> increment(Series<1> x) {
     x.term(0, 0)[0] = 0.0;
     return x;
+}
+
+/// outer(x, y), for series x and y without constant terms: Horner's rule in both.
+template <int Rows>
+Series<Rows> compose(const Series<Rows>& outer, const Series<1>& x, const Series<1>& y) {
+    const int order = x.order();
+    Series<Rows> by_x(order);
+    for (int a = order; a >= 0; --a) {
+        Series<Rows> by_y(order);
+        for (int b = order - a; b >= 0; --b) {
+            by_y = y * by_y;
+            by_y.term(0, 0) += outer.term(a, b);
+        }
+        by_x = x * by_x;
+        by_x += by_y;
+    }
+    return by_x;
 }
 
 /// A homogeneous point (w p, w) as the point p.

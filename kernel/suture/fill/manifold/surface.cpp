@@ -175,27 +175,19 @@ Series<3> StarSurface::expand(const Series<1>& x, const Series<1>& y,
         const Eigen::MatrixXd ny = taylor_basis(star_.knots_y(m), degree, *span_y, y0, order);
         const Eigen::Matrix4Xd& net = nets_[static_cast<std::size_t>(m)];
         const int rows = star_.charts_x();
-        // sum_ab c_ab dx^a dy^b by Horner's rule in dx and in dy.
-        Series<4> by_x(order);
-        for (int a = order; a >= 0; --a) {
-            Series<4> by_y(order);
-            for (int b = order - a; b >= 0; --b) {
-                Vector4d c = Vector4d::Zero();
-                for (int j = std::max(0, *span_y - degree);
-                     j <= std::min(star_.charts_y(m) - 1, *span_y); ++j) {
-                    for (int i = std::max(0, *span_x - degree); i <= std::min(rows - 1, *span_x);
-                         ++i) {
-                        c += nx(a, i - *span_x + degree) * ny(b, j - *span_y + degree) *
-                             net.col(i + rows * j);
+        Series<4> side(order);
+        for (int j = std::max(0, *span_y - degree); j <= std::min(star_.charts_y(m) - 1, *span_y);
+             ++j) {
+            for (int i = std::max(0, *span_x - degree); i <= std::min(rows - 1, *span_x); ++i) {
+                for (int a = 0; a <= order; ++a) {
+                    for (int b = 0; a + b <= order; ++b) {
+                        side.term(a, b) += nx(a, i - *span_x + degree) *
+                                           ny(b, j - *span_y + degree) * net.col(i + rows * j);
                     }
                 }
-                by_y = dy * by_y;
-                by_y.term(0, 0) += c;
             }
-            by_x = dx * by_x;
-            by_x += by_y;
         }
-        total += by_x;
+        total += compose(side, dx, dy);
     }
     return project(total);
 }
