@@ -21,6 +21,9 @@ using Eigen::VectorXd;
 constexpr double kAngleWeight = 0.05;
 /// A relative error of the curvature of 1 counts as much as an angle of this.
 constexpr double kCurvatureWeight = 0.1;
+/// Where the border folds, the cross derivative is held near the inward direction, weakly against
+/// the angle.
+constexpr double kSenseWeights[] = {0.0, 1e-3, 1e-2};
 /// Of the energy against the mean square of a border residual.
 constexpr double kEnergyWeight = 1e-9;
 /// Samples of the border a knot interval.
@@ -180,7 +183,10 @@ double BorderModel::y_of(int side, const Piece& piece, double s) const {
     return low[m] + (high[m] - low[m]) * (piece.from + (piece.to - piece.from) * piece.along(s));
 }
 
-Result<BorderFit> fit_border(const BorderModel& model, const Hole& hole, const Sides& sides) {
+namespace {
+
+Result<BorderFit> fit_once(const BorderModel& model, const Hole& hole, const Sides& sides,
+                           double sense) {
     const std::vector<Sample> samples = samples_of(model, hole, sides, 0.0);
     const double slope_weight = kAngleWeight * hole.diameter / model.depth;
     const bool curvature =
@@ -193,6 +199,11 @@ Result<BorderFit> fit_border(const BorderModel& model, const Hole& hole, const S
         Normal normal(model.points);
         for (const Sample& sample : samples) {
             add_sample(normal, sample, slope_weight, step > 0 ? &fit.points : nullptr);
+            for (int c = 0; sense > 0.0 && c < 3; ++c) {
+                const double weight = sense * slope_weight;
+                normal.add(sample, Vector3d::Unit(c) * sample.row.weights.row(1),
+                           -model.depth * sample.wanted.inward[c], sample.weight * weight * weight);
+            }
         }
         normal.add(model.energy, kEnergyWeight);
         auto points = normal.solve();
@@ -204,6 +215,19 @@ Result<BorderFit> fit_border(const BorderModel& model, const Hole& hole, const S
     constexpr double kBetween = 0.37;
     const auto measured = measure(fit, samples_of(model, hole, sides, kBetween));
     return measured ? Result<BorderFit>(fit) : tl::unexpected(measured.error());
+}
+
+}  // namespace
+
+Result<BorderFit> fit_border(const BorderModel& model, const Hole& hole, const Sides& sides) {
+    Result<BorderFit> fit;
+    for (const double sense : kSenseWeights) {
+        fit = fit_once(model, hole, sides, sense);
+        if (fit) {
+            break;
+        }
+    }
+    return fit;
 }
 
 }  // namespace suture::manifold

@@ -115,9 +115,8 @@ class CentreFit {
         }
         // Beyond C2 the net goes no further; C0 and C1 surfaces have kinks of their own.
         const int smoothness = std::min(star_.k(), 2);
-        for (int m = 0; m < star_.n(); ++m) {
-            nets_.push_back(sampled(m, smoothness));
-        }
+        nets_.assign(static_cast<std::size_t>(star_.n()), HermiteNet(breaks_, smoothness));
+        sample(smoothness);
         for (int m = 0; m < star_.n(); ++m) {
             join_along(m);
         }
@@ -126,10 +125,10 @@ class CentreFit {
     [[nodiscard]] Centre take() const {
         Centre centre;
         centre.spans = static_cast<int>(breaks_.size()) - 1;
-        for (int m = 0; m < star_.n(); ++m) {
-            centre.quads.push_back(nets_[static_cast<std::size_t>(m)].spline());
-            centre.error = std::max(centre.error, measure_error(m, centre.quads.back()));
+        for (const HermiteNet& net : nets_) {
+            centre.quads.push_back(net.spline());
         }
+        centre.error = measure_error(centre.quads);
         return centre;
     }
 
@@ -145,14 +144,36 @@ class CentreFit {
 
     [[nodiscard]] int last() const { return static_cast<int>(breaks_.size()) - 1; }
 
-    [[nodiscard]] Series<3> expand(int m, const Vector2d& at, const Vector2d& towards) const {
-        const PlaneSeries p = map_.expand(m, at, towards, kOrder);
-        if (at.isZero()) {
-            return compose(middle_, p[0], p[1]);
-        }
+    /// A point of the square in X, between the spokes 0 and 1, and a point on the side of it that
+    /// counts for knots.
+    struct Place {
+        PlaneSeries series;
+        Vector2d near;
+        bool middle = false;
+    };
+
+    [[nodiscard]] Place place(const Vector2d& at, const Vector2d& towards) const {
         // At the border zone the strip's own series counts: charts of other sides may begin there.
-        const Vector2d side(at.x() == 1.0 ? 1.0 : towards.x(), at.y() == 1.0 ? 1.0 : towards.y());
-        return surface_.expand(p[0], p[1], map_.at(m, at + kBeside * side));
+        Vector2d side = towards;
+        if (at.x() == 1.0) {
+            side.x() = 1.0;
+        } else if (at.y() == 1.0) {
+            side.y() = 1.0;
+        }
+        return {map_.expand(0, at, towards, kOrder), map_.at(0, at + kBeside * side), at.isZero()};
+    }
+
+    [[nodiscard]] Series<3> expand(int m, const Place& place) const {
+        const Vector2d x = star_.from_side(m, Vector2d::UnitX());
+        const Vector2d y = star_.from_side(m, Vector2d::UnitY());
+        const PlaneSeries& p = place.series;
+        const Series<1> in_x = x.x() * p[0] + y.x() * p[1];
+        const Series<1> in_y = x.y() * p[0] + y.y() * p[1];
+        return place.middle ? compose(middle_, in_x, in_y)
+                            : surface_.expand(in_x, in_y, star_.from_side(m, place.near));
+    }
+    [[nodiscard]] Series<3> expand(int m, const Vector2d& at, const Vector2d& towards) const {
+        return expand(m, place(at, towards));
     }
 
     static NodeJet jet_of(const Series<3>& series) {
@@ -166,27 +187,45 @@ class CentreFit {
         return jet;
     }
 
-    [[nodiscard]] HermiteNet sampled(int m, int smoothness) const {
-        HermiteNet net(breaks_, smoothness);
+    /// The derivatives of the surface at all nodes.
+    void sample(int smoothness) {
         for (int j = 0; j <= last(); ++j) {
             for (int i = 0; i <= last(); ++i) {
-                const Vector2d at(net.at(i), net.at(j));
-                const auto take = [&](int side_u, int side_v) {
-                    // Inside of the square, where a node lies on its border.
-                    const Vector2d towards(i == 0 ? 1 : (i == last() ? -1 : side_u),
-                                           j == 0 ? 1 : (j == last() ? -1 : side_v));
-                    return jet_of(expand(m, at, towards));
-                };
-                const NodeJet common = take(1, 1);
                 for (const int side_u : {-1, 1}) {
                     for (const int side_v : {-1, 1}) {
-                        net.jet(i, j, side_u, side_v) =
-                            smoothness == 2 ? common : take(side_u, side_v);
+                        sample(i, j, side_u, side_v, smoothness);
                     }
                 }
             }
         }
-        return net;
+    }
+
+    void sample(int i, int j, int side_u, int side_v, int smoothness) {
+        const bool first = side_u < 0 && side_v < 0;
+        if (smoothness == 2 && !first) {
+            for (HermiteNet& net : nets_) {
+                net.jet(i, j, side_u, side_v) = net.jet(i, j, -1, -1);
+            }
+            return;
+        }
+        // Inside of the square, where a node lies on its border.
+        const Vector2d towards(i == 0 ? 1 : (i == last() ? -1 : side_u),
+                               j == 0 ? 1 : (j == last() ? -1 : side_v));
+        const Vector2d at(breaks_[static_cast<std::size_t>(i)],
+                          breaks_[static_cast<std::size_t>(j)]);
+        const Place here = place(at, towards);
+        for (int m = 0; m < star_.n(); ++m) {
+            NodeJet& jet = nets_[static_cast<std::size_t>(m)].jet(i, j, side_u, side_v);
+            jet = jet_of(expand(m, here));
+            if (i == last() && j == last()) {
+                // Along v = 1 it is the other strip's.
+                Place other = here;
+                other.near = map_.at(0, at + kBeside * Vector2d(-1.0, 1.0));
+                const NodeJet along = jet_of(expand(m, other));
+                jet[2][0] = along[2][0];
+                jet[2][1] = along[2][1];
+            }
+        }
     }
 
     [[nodiscard]] SpokeCurve fit_spoke(int m) const {
@@ -254,10 +293,10 @@ class CentreFit {
                 s.derivative(2, 1) - along[2]};
     }
 
-    [[nodiscard]] double measure_error(int m, const SplineSurface& quad) const {
+    [[nodiscard]] double measure_error(const std::vector<SplineSurface>& quads) const {
         double error = 0.0;
-        constexpr double kPlaces[] = {0.2, 0.5, 0.8};
-        const auto place = [&](int i, double t) {
+        constexpr double kPlaces[] = {0.3, 0.7};
+        const auto between = [&](int i, double t) {
             const auto k = static_cast<std::size_t>(i);
             return breaks_[k] + t * (breaks_[k + 1] - breaks_[k]);
         };
@@ -265,9 +304,14 @@ class CentreFit {
             for (int i = 0; i < last(); ++i) {
                 for (const double a : kPlaces) {
                     for (const double b : kPlaces) {
-                        const Vector2d at(place(i, a), place(j, b));
-                        const Vector3d p = evaluate(quad, at.x(), at.y()).point;
-                        error = std::max(error, (p - surface_.at(map_.at(m, at))).norm());
+                        const Vector2d at(between(i, a), between(j, b));
+                        const Vector2d in_x = map_.at(0, at);
+                        for (int m = 0; m < star_.n(); ++m) {
+                            const Vector3d p =
+                                evaluate(quads[static_cast<std::size_t>(m)], at.x(), at.y()).point;
+                            error =
+                                std::max(error, (p - surface_.at(star_.from_side(m, in_x))).norm());
+                        }
                     }
                 }
             }
