@@ -43,8 +43,13 @@ struct PatchOptions {
     io::Format format = io::Format::Step;
 };
 
-/// With more spans than these in a quad a file holds more than anyone wants to open.
-constexpr int kMostSpans = 128;
+/// With more spans than these in a quad a file holds more than anyone wants to open; kinks (k = 0)
+/// are followed by none.
+int most_spans(int k) {
+    constexpr int kMany = 64;
+    constexpr int kFew = 16;
+    return k > 0 ? kMany : kFew;
+}
 
 Result<void> validate(Command& command, PatchOptions& options) {
     const Result<io::Format> format = io::format_of_extension(options.output);
@@ -109,7 +114,7 @@ Result<Outcome> patch(Run& run, const Command& command, const PatchOptions& opti
     progress = run.stage(Stage::Filling, "fitting the middle", 0.1, 0.6);
     const Stopwatch watch;
     const StarSurface surface(*star, star_mesh->points(*star));
-    const Centre centre = fit_centre(surface, options.tolerance * diameter, kMostSpans);
+    const Centre centre = fit_centre(surface, options.tolerance * diameter, most_spans(options.k));
     const auto shell = make_shell(lay_out(surface, centre, {}));
     if (!shell) {
         return tl::unexpected(shell.error());

@@ -87,15 +87,16 @@ Result<FillResult> fill_star(const Hole& hole, const FillOptions& options, const
         size.layers = layers;
         return Star::make(size);
     };
-    // One layer more than the least, so that the strips have a width.
-    const auto fitted = fit_layers(hole, options, sides, Star::least_layers(size.k, n) + 1,
-                                   [&](int layers) -> Result<BorderModel> {
-                                       const auto star = star_of(layers);
-                                       if (!star) {
-                                           return tl::unexpected(star.error());
-                                       }
-                                       return border_model(*star, hole.diameter);
-                                   });
+    // Strips need a width, and the wider they are the smaller is the middle, which is fitted.
+    const int least = 2 * Star::least_layers(size.k, n);
+    const auto fitted =
+        fit_layers(hole, options, sides, least, [&](int layers) -> Result<BorderModel> {
+            const auto star = star_of(layers);
+            if (!star) {
+                return tl::unexpected(star.error());
+            }
+            return border_model(*star, hole.diameter);
+        });
     if (!fitted) {
         return tl::unexpected(fitted.error());
     }
