@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """Makes the example models beside this script, with FreeCAD's Part module (Debian: freecad-python3).
 
-    /usr/bin/python3 docs/examples/make_examples.py [DIR]
+    /usr/bin/python3 docs/examples/make_examples.py [DIR [NAME...]]
 
 Each is a closed body from which a face was taken, so that it has a hole:
     suitcase_corner   a box with three rounded edges; the eighth of a sphere where they meet
@@ -9,6 +9,8 @@ Each is a closed body from which a face was taken, so that it has a hole:
     pipe_elbow        a bent pipe; the discs at both ends
     dome_window       a round bar with a round end; a star-shaped window in the end
     bump_window       a block with a wavy top; a star-shaped window in the top
+and one that only the pictures use, made when named:
+    half_round        a plate with a half-round edge; the middle of the edge
 """
 
 import math
@@ -37,6 +39,21 @@ def suitcase_corner():
     edges = [e for e in box.Edges if any(v.Point.distanceToPoint(corner) < 1e-9 for v in e.Vertexes)]
     rounded = box.makeFillet(8, edges)
     return shell_without(rounded, lambda face: isinstance(face.Surface, Part.Sphere))
+
+
+def half_round():
+    arc = Part.Arc(Vector(0, 5, 0), Vector(5, 0, 0), Vector(0, -5, 0)).toShape()
+    lines = Part.makePolygon([Vector(0, -5, 0), Vector(-40, -5, 0), Vector(-40, 5, 0),
+                              Vector(0, 5, 0)])
+    profile = Part.Face(Part.Wire(lines.Edges + [arc]))
+    pieces = []
+    for bottom, top in ((0, 15), (15, 45), (45, 60)):
+        piece = profile.copy()
+        piece.translate(Vector(0, 0, bottom))
+        pieces.append(piece.extrude(Vector(0, 0, top - bottom)))
+    plate = pieces[0].fuse(pieces[1:])
+    return shell_without(plate, lambda face: isinstance(face.Surface, Part.Cylinder)
+                         and abs(face.CenterOfMass.z - 30) < 1e-6)
 
 
 def box_without_lid():
@@ -99,7 +116,9 @@ def bump_window():
 
 def main():
     folder = Path(sys.argv[1] if len(sys.argv) > 1 else Path(__file__).parent)
-    for make in (suitcase_corner, box_without_lid, pipe_elbow, dome_window, bump_window):
+    examples = (suitcase_corner, box_without_lid, pipe_elbow, dome_window, bump_window)
+    named = [make for make in (*examples, half_round) if make.__name__ in sys.argv[2:]]
+    for make in named or examples:
         shape = make()
         shape.exportStep(str(folder / f"{make.__name__}.step"))
         print(f"{make.__name__}: {len(shape.Faces)} faces")

@@ -18,3 +18,21 @@ picture() {
 picture dome_window extend
 picture box_without_lid plane
 picture suitcase_corner mvs --zebra --view 1.1,0.9,0.8 --near 54,44,34 --size 26
+
+# beside MODEL NAME options...: reflection lines on two fills of a model, by mvs and by OCCT
+beside() {
+    model=$1
+    name=$2
+    shift 2
+    ./suture fill "$model" -o "$work/mvs.step" --force --method mvs --continuity G1 >/dev/null || [ $? = 4 ]
+    ./suture fill "$model" -o "$work/occt.step" --force --method occt --continuity G1 >/dev/null || [ $? = 4 ]
+    docs/figures/render.py "$model" "$work/mvs.step" "docs/figures/$name.png" --zebra \
+        --beside "$work/occt.step" --names "mvs,OCCT's filling" "$@"
+}
+
+/usr/bin/python3 docs/examples/make_examples.py "$work" half_round >/dev/null
+beside docs/examples/suitcase_corner.step zebra_corner --view 1.1,0.9,0.8 --near 54,44,34 --size 26
+beside docs/examples/dome_window.step zebra_dome --view 0.3,-0.5,1 --near 0,0,46 --size 34
+beside docs/examples/bump_window.step zebra_bump --view 0.3,-0.5,1 --near 0,0,22 --size 56 --stripes 50
+beside docs/examples/pipe_elbow.step zebra_elbow --view 0.6,-1,-0.5
+beside "$work/half_round.step" zebra_half_round --view 1,-0.6,0.5 --near 0,0,30 --size 50

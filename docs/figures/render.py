@@ -1,10 +1,12 @@
 #!/usr/bin/python3
-"""Draws a model before and after a fill as a PNG picture.
+"""Draws a model before and after a fill, or two fills of it, as a PNG picture.
 
     docs/figures/render.py BEFORE.step AFTER.step PICTURE.png [--zebra] [--view X,Y,Z] [--near X,Y,Z --size S]
+    docs/figures/render.py BEFORE.step AFTER.step PICTURE.png --beside OTHER.step --names FIRST,SECOND ...
 
 New faces (those of AFTER that BEFORE does not have) are orange; with --zebra the picture shows
-reflection lines, which are smooth where the surface is. Needs Debian's freecad-python3,
+reflection lines, which are smooth where the surface is: their tangents where the curvature is
+continuous, the lines themselves where only the tangent plane is. Needs Debian's freecad-python3,
 python3-numpy and python3-pil.
 """
 
@@ -20,7 +22,6 @@ from PIL import Image, ImageDraw  # noqa: E402
 
 OLD, NEW, EDGE = (0.62, 0.68, 0.76), (0.98, 0.62, 0.16), (0.12, 0.14, 0.18)
 SUPERSAMPLING = 2
-STRIPES = 14
 
 
 def key(face):
@@ -43,13 +44,14 @@ def triangles(face, deflection):
 class Canvas:
     """An orthographic z-buffer."""
 
-    def __init__(self, width, height, view, centre, size):
+    def __init__(self, width, height, view, centre, size, stripes):
         self.width, self.height = width * SUPERSAMPLING, height * SUPERSAMPLING
         self.towards = view / np.linalg.norm(view)
         up = np.array([0.0, 0.0, 1.0]) if abs(self.towards[2]) < 0.99 else np.array([0.0, 1.0, 0.0])
         self.right = np.cross(up, self.towards)
         self.right /= np.linalg.norm(self.right)
         self.up = np.cross(self.towards, self.right)
+        self.stripes = stripes
         self.centre, self.scale = centre, 0.92 * min(self.width, self.height) / size
         self.size = size
         self.colour = np.ones((self.height, self.width, 3))
@@ -70,7 +72,7 @@ class Canvas:
         colour = diffuse[:, None] * np.array(base)
         if zebra:
             reflected = 2 * (n @ self.towards)[:, None] * n - self.towards
-            stripe = np.sin(STRIPES * (reflected @ self.up)) > 0
+            stripe = np.sin(self.stripes * (reflected @ self.up)) > 0
             colour = np.where(stripe[:, None], colour, 0.25 * colour)
         return colour
 
@@ -133,6 +135,9 @@ def main():
     arguments.add_argument("--view", default="1,-1.3,0.9")
     arguments.add_argument("--near", help="centre of the picture, default the model's")
     arguments.add_argument("--size", type=float, help="what the picture shows, model units")
+    arguments.add_argument("--stripes", type=float, default=14, help="per radian, about")
+    arguments.add_argument("--beside", help="another fill, drawn in place of the model before it")
+    arguments.add_argument("--names", default="before,after", help="what is written above each")
     options = arguments.parse_args()
     before, after = Part.read(options.before), Part.read(options.after)
     box = after.BoundBox
@@ -142,14 +147,15 @@ def main():
     size = options.size or box.DiagonalLength
     known = {key(face) for face in before.Faces}
     width, height = 560, 520
+    shown = [(after, known), (Part.read(options.beside), known)] if options.beside else [
+        (before, None), (after, known)]
     sheet = Image.new("RGB", (2 * width, height), "white")
-    for place, (shape, faces) in enumerate(((before, None), (after, known))):
-        canvas = Canvas(width, height, vector(options.view), centre, size)
-        picture = draw(shape, faces, canvas, options.zebra and place == 1, size / 800)
-        sheet.paste(picture, (place * width, 0))
     pen = ImageDraw.Draw(sheet)
-    pen.text((12, 10), "before", fill="black")
-    pen.text((width + 12, 10), "after", fill="black")
+    for place, ((shape, faces), name) in enumerate(zip(shown, options.names.split(","))):
+        canvas = Canvas(width, height, vector(options.view), centre, size, options.stripes)
+        picture = draw(shape, faces, canvas, options.zebra and faces is not None, size / 800)
+        sheet.paste(picture, (place * width, 0))
+        pen.text((place * width + 12, 10), name, fill="black")
     sheet.save(options.picture)
 
 

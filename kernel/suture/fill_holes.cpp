@@ -1,8 +1,8 @@
 #include "suture/fill_holes.h"
 
 #include "suture/check/continuity.h"
-#include "suture/choose/choose.h"
 #include "suture/choose/select.h"
+#include "suture/choose/smoothest.h"
 #include "suture/choose/wishes.h"
 #include "suture/detect/find_loops.h"
 #include "suture/faces/join.h"
@@ -62,25 +62,30 @@ HoleReport begin_report(const std::vector<BoundaryLoop>& loops, const FillReques
     return report;
 }
 
-void ask(Hole& hole, const FillRequest& request, HoleReport& report) {
-    const std::vector<Wish> wishes = wishes_for(hole, request);
+/// What every ribbon should do, as the wishes have it.
+void ask(Hole& hole, const std::vector<Wish>& wishes) {
     std::size_t next = 0;
     for (RibbonLoop& loop : hole.loops) {
         for (Ribbon& ribbon : loop.ribbons) {
-            const Wish& wish = wishes[next++];
-            ribbon.continuity = wish.continuity;
-            SideReport side;
+            ribbon.continuity = wishes[next++].continuity;
+        }
+    }
+}
+
+void report_wishes(const Hole& hole, const std::vector<Wish>& wishes, HoleReport& report) {
+    report.sides.clear();
+    report.continuity_requested = Continuity::G0;
+    for (const RibbonLoop& loop : hole.loops) {
+        for (const Ribbon& ribbon : loop.ribbons) {
+            const Wish& wish = wishes[report.sides.size()];
+            SideReport& side = report.sides.emplace_back();
             side.edge = ribbon.edge;
             side.face = ribbon.face;
             side.requested = wish.continuity;
             side.reason = wish.reason;
-            report.sides.push_back(side);
+            report.continuity_requested = std::max(report.continuity_requested, wish.continuity);
         }
     }
-    report.continuity_requested =
-        std::max_element(wishes.begin(), wishes.end(), [](const Wish& a, const Wish& b) {
-            return a.continuity < b.continuity;
-        })->continuity;
 }
 
 /// The measures of the sides, their maxima, and what they amount to.
@@ -123,9 +128,11 @@ Result<std::vector<TopoDS_Face>> fill_one(const std::vector<BoundaryLoop>& loops
         return tl::unexpected(hole.error());
     }
     hole->through = report.through = request.through;
-    ask(*hole, request, report);
+    std::vector<Wish> wishes = wishes_for(*hole, request);
+    ask(*hole, wishes);
     const Tolerance tolerance = reachable(request, *hole, report);
-    const auto choice = choose_fill(loops, *hole, request, tolerance);
+    const auto choice = choose_smoothest(loops, *hole, wishes, request, tolerance);
+    report_wishes(*hole, wishes, report);
     if (!choice) {
         return tl::unexpected(choice.error());
     }

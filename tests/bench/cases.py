@@ -40,6 +40,7 @@ def reopened_cases(folder=None):
             model=folder / row["open"],
             truth=None if row["truth"] == "-" else folder / row["truth"],
             near=tuple(float(x) for x in row["near"].split(",")),
+            sides=int(row["n"]),
         )
         for row in rows
     ]
@@ -71,7 +72,9 @@ def with_holes(case):
     """The same case once for each hole that it means, each with the hole's facts."""
     holes = inspect(case.model)
     if case.near is not None:
-        holes = sorted(holes, key=lambda hole: distance_to(hole, case.near))[:1]
+        # Of several openings near the point, the one that has the lost face's number of sides.
+        order = lambda hole: (hole["sides"] != case.sides, distance_to(hole, case.near))  # noqa: E731
+        holes = sorted(holes, key=order)[:1]
     return [
         Case(
             name=case.name if len(holes) == 1 else f"{case.name} hole {hole['id']}",

@@ -20,7 +20,7 @@ FILLED = {
     "seconds_fill": 0.001, "seconds_process": 0.2, "peak_bytes": 2**25, "max_gap": 1e-9,
     "max_angle_deg": 0.0, "max_curvature_mismatch": None,
     "patches": [{"kind": "plane", "poles_u": 0, "poles_v": 0, "degree_u": 0, "degree_v": 0}],
-    "judge": {"valid": True, "free_edges": 0, "lost_faces": 0, "fidelity": 1e-12},
+    "judge": {"valid": True, "free_edges": 0, "changed_faces": 0, "lost_faces": 0, "fidelity": 1e-12},
 }  # fmt: skip
 REFUSED = {
     "case": "lid", "sides": 4, "diameter": 10.0, "method": "extend", "status": "refused",
@@ -62,6 +62,10 @@ class Tables(unittest.TestCase):
     def test_a_changed_face_is_not_hidden(self):
         bad = FILLED | {"judge": FILLED["judge"] | {"lost_faces": 2}}
         self.assertIn("2 FACES CHANGED", tables.benchmark(RESULT | {"rows": [bad]}, None))
+
+    def test_a_face_with_a_new_border_is_not_hidden(self):
+        moved = FILLED | {"judge": FILLED["judge"] | {"changed_faces": 2}}
+        self.assertIn("closed, 2 re-trimmed", tables.benchmark(RESULT | {"rows": [moved]}, None))
 
     def test_a_judge_that_fails_is_not_hidden(self):
         bad = FILLED | {"judge": {"judge_error": "crashed"}}

@@ -32,7 +32,11 @@ def run_case(file, case):
     spec = importlib.util.spec_from_file_location(Path(file).stem, file)
     module = importlib.util.module_from_spec(spec)
     sys.modules[spec.name] = module
-    spec.loader.exec_module(module)
+    try:
+        spec.loader.exec_module(module)
+    except unittest.SkipTest as reason:
+        print("Skipped:", reason)
+        return SKIPPED
     suite = unittest.defaultTestLoader.loadTestsFromName(case, module)
     result = unittest.TextTestRunner(verbosity=2).run(suite)
     if not result.wasSuccessful():

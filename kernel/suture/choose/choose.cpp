@@ -175,7 +175,7 @@ std::span<const MethodOption> options_of(std::string_view method) {
 }
 
 Result<Choice> choose_fill(const std::vector<BoundaryLoop>& loops, const Hole& hole,
-                           const FillRequest& request, const Tolerance& tolerance) {
+                           const FillRequest& request, const Tolerance& tolerance, Effort effort) {
     const bool automatic = request.method == "auto";
     std::optional<Choice> best;
     Rank best_rank;
@@ -184,6 +184,9 @@ Result<Choice> choose_fill(const std::vector<BoundaryLoop>& loops, const Hole& h
     for (const Attempt& attempt : attempts_for(loops, hole, request, tolerance)) {
         if (request.progress.cancelled()) {
             return fail(ErrorCode::Cancelled, "stopped while filling");
+        }
+        if (attempt.slow && effort == Effort::Quick) {
+            continue;
         }
         if (automatic && attempt.slow && best && best->measured.score <= kNear) {
             verdicts.push_back(attempt.name + ": not tried");
@@ -203,7 +206,7 @@ Result<Choice> choose_fill(const std::vector<BoundaryLoop>& loops, const Hole& h
         }
         const Rank rank = rank_of(*measured, hole, tolerance);
         verdicts.push_back(verdict(attempt.name, *measured, rank));
-        if (rank.wild || (automatic && rank.hopeless())) {
+        if (rank.wild || (request.method != "occt" && rank.hopeless())) {
             verdicts.back() += ", not taken";
             continue;
         }

@@ -22,13 +22,19 @@ struct Choice {
     double seconds = 0.0;  ///< in the fill methods, all that were tried
 };
 
+enum class Effort {
+    Quick,  ///< the methods of our own
+    Full    ///< OCCT's filling as well
+};
+
 /// Fills one hole with the method asked for, or (auto) with the best of those that apply: each is
 /// tried and measured; the first within tolerance is taken, else the one that comes nearest.
 ///
 /// Input    hole: with the continuity wanted on each ribbon.
 /// Refuses  when no method gives a valid face; the message has every method's own reason.
 [[nodiscard]] Result<Choice> choose_fill(const std::vector<BoundaryLoop>& loops, const Hole& hole,
-                                         const FillRequest& request, const Tolerance& tolerance);
+                                         const FillRequest& request, const Tolerance& tolerance,
+                                         Effort effort = Effort::Full);
 
 /// Whether --method takes this name; the Usage error lists those that exist.
 [[nodiscard]] Result<void> validate_method(const std::string& method);

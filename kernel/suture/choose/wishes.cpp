@@ -1,5 +1,7 @@
 #include "suture/choose/wishes.h"
 
+#include "suture/fill/fill.h"
+
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 
@@ -29,6 +31,16 @@ constexpr double kSmoothCorner = radians(10.0);
 /// A neighbour whose cross tangent points further than this away from the middle of the hole
 /// leads away from it.
 constexpr double kAway = radians(65.0);
+
+/// Normals that differ by less are the same at a corner: what files of good quality have.
+constexpr double kSameNormal = radians(0.1);
+
+/// Curvatures that differ by less, as a share of the larger one, are the same at a corner; half of
+/// what the default profile calls G2.
+constexpr double kSameCurvature = 0.01;
+
+/// A bend over the whole hole of less than this is no curvature, in radians.
+constexpr double kFlat = 1e-3;
 
 struct Opening {
     Vector3d centre = Vector3d::Zero();
@@ -88,11 +100,39 @@ double awayness(const Ribbon& ribbon, const Vector3d& centre) {
     return std::atan2(middle.inward.cross(towards).norm(), middle.inward.dot(towards));
 }
 
-Wish automatic(const RibbonLoop& loop, std::size_t i, const Vector3d& centre) {
+/// Where two ribbons meet.
+struct Joint {
+    const Ribbon& before;
+    const Ribbon& after;
+};
+
+/// Why no surface can have the curvature of both neighbours there; empty if one can.
+std::string curvature_conflict(const Joint& joint, double diameter) {
+    if (mismatch(joint.before, joint.after) > kSameNormal) {
+        return fmt::format("the normals of faces {} and {} differ by {:.2g} deg where they meet",
+                           joint.before.face, joint.after.face,
+                           degrees(mismatch(joint.before, joint.after)));
+    }
+    const Eigen::Matrix3d a = joint.before.at(1.0).curvature;
+    const Eigen::Matrix3d b = joint.after.at(0.0).curvature;
+    const double largest = std::max(a.norm(), b.norm());
+    const double difference = (a - b).norm();
+    if (difference <= std::max(kSameCurvature * largest, kFlat / diameter)) {
+        return {};
+    }
+    return fmt::format("the curvatures of faces {} and {} differ by {:.3g} % where they meet",
+                       joint.before.face, joint.after.face,
+                       100.0 * std::min(1.0, difference / largest));
+}
+
+Wish automatic(const RibbonLoop& loop, std::size_t i, const Vector3d& centre, double diameter,
+               bool curvature) {
     const std::size_t n = loop.ribbons.size();
     const Ribbon& ribbon = loop.ribbons[i];
-    const double worst = std::max(mismatch(loop.ribbons[(i + n - 1) % n], ribbon),
-                                  mismatch(ribbon, loop.ribbons[(i + 1) % n]));
+    const Joint start{loop.ribbons[(i + n - 1) % n], ribbon};
+    const Joint end{ribbon, loop.ribbons[(i + 1) % n]};
+    const double worst =
+        std::max(mismatch(start.before, start.after), mismatch(end.before, end.after));
     const double away = awayness(ribbon, centre);
     if (worst > kSmoothCorner && away > kAway) {
         return {Continuity::G0,
@@ -100,12 +140,28 @@ Wish automatic(const RibbonLoop& loop, std::size_t i, const Vector3d& centre) {
                             "neighbours at {:.0f} deg",
                             ribbon.face, degrees(away), degrees(worst))};
     }
-    return {Continuity::G1, "auto: tangent to the neighbour"};
+    if (!curvature) {
+        return {Continuity::G1, "auto: tangent to the neighbour"};
+    }
+    for (const Joint& joint : {start, end}) {
+        if (const std::string conflict = curvature_conflict(joint, diameter); !conflict.empty()) {
+            return {Continuity::G1, "auto: tangent only, for " + conflict};
+        }
+    }
+    return {Continuity::G2, "auto: the neighbours' curvatures agree at both ends", /*hoped=*/true};
+}
+
+/// Whether the method can join with continuous curvature; `auto` has methods that can.
+bool reaches_curvature(const std::string& method) {
+    const auto methods = fill_methods();
+    return method == "auto" || std::any_of(methods.begin(), methods.end(), [&](const auto& row) {
+               return row.id == method && row.highest >= Continuity::G2;
+           });
 }
 
 /// What is asked for along side i, and why.
 Wish wish_for(const RibbonLoop& loop, std::size_t i, const Opening& opening, double steepness,
-              const FillRequest& request) {
+              double diameter, const FillRequest& request) {
     Wish wish;
     const auto own = request.edge_continuity.find(loop.ribbons[i].edge);
     if (own != request.edge_continuity.end()) {
@@ -120,7 +176,7 @@ Wish wish_for(const RibbonLoop& loop, std::size_t i, const Opening& opening, dou
             "the opening is planar and its neighbours stand on it at {:.0f} deg or more",
             degrees(steepness));
     } else {
-        wish = automatic(loop, i, opening.centre);
+        wish = automatic(loop, i, opening.centre, diameter, reaches_curvature(request.method));
     }
     return wish;
 }
@@ -135,7 +191,7 @@ std::vector<Wish> wishes_for(const Hole& hole, const FillRequest& request) {
     std::vector<Wish> wishes;
     for (const RibbonLoop& loop : hole.loops) {
         for (std::size_t i = 0; i < loop.ribbons.size(); ++i) {
-            wishes.push_back(wish_for(loop, i, opening, steepness, request));
+            wishes.push_back(wish_for(loop, i, opening, steepness, hole.diameter, request));
         }
     }
     return wishes;

@@ -12,11 +12,13 @@ namespace suture {
 struct Wish {
     Continuity continuity = Continuity::G1;
     std::string reason;
+    bool hoped = false;  ///< G2 by our own choice: G1 will do where it costs gap or angle
 };
 
 /// What to ask for along each side, side by side in the order of the loops.
 ///
-/// What the request says holds. Else (auto) G1, but G0
+/// What the request says holds. Else (auto) G2 if the method can and the neighbours agree in normal
+/// and curvature at both ends of the side, otherwise G1, but G0
 ///  - all around a planar opening whose neighbours stand steeply on its plane (the end of a duct,
 ///    a box without a lid): a tangent fill would be a dome that nobody drew;
 ///  - along a side whose neighbour leads away from the hole while its corners are not smooth.

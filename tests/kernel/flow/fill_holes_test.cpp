@@ -336,6 +336,45 @@ TEST(FillHoles, StopsWhenCancelled) {
     EXPECT_EQ(outcome.error().code, ErrorCode::Cancelled);
 }
 
+/// `mvs` on a window in a torus across whose edges the curvature changes its sign.
+HoleReport fill_tube_by_mvs(double curvature_tolerance, FillOutcome& outcome) {
+    const Handle<Geom_Surface> tube = occ::make<Geom_ToroidalSurface>(gp_Ax3(), 5.0, 1.5);
+    const TopoDS_Shape open = grids::shell_of(tube, {0.0, 0.5, 1.1, 3.5, 2.0 * kPi},
+                                              {0.0, 1.2, 2.0, 3.0, 2.0 * kPi}, {{1, 1}});
+    FillRequest request;
+    request.method = "mvs";
+    request.tolerance.curvature = curvature_tolerance;
+    outcome = fill(open, request).value();
+    return outcome.holes.front();
+}
+
+TEST(FillHoles, JoinsWithContinuousCurvatureWhereTheNeighboursAgree) {
+    FillOutcome outcome;
+    const HoleReport hole = fill_tube_by_mvs(0.02, outcome);
+    ASSERT_EQ(hole.status, FillStatus::Filled) << hole.reason;
+    expect_closed_solid(outcome);
+    EXPECT_TRUE(hole.within_tolerance);
+    EXPECT_EQ(hole.continuity_reached, Continuity::G2);
+    for (const SideReport& side : hole.sides) {
+        EXPECT_EQ(side.requested, Continuity::G2) << side.reason;
+        EXPECT_LT(side.curvature_mismatch, 0.02);
+    }
+}
+
+TEST(FillHoles, IsContentWithTangencyWhereCurvatureIsNotReached) {
+    FillOutcome outcome;
+    const HoleReport hole = fill_tube_by_mvs(1e-9, outcome);
+    ASSERT_EQ(hole.status, FillStatus::Filled) << hole.reason;
+    expect_closed_solid(outcome);
+    EXPECT_TRUE(hole.within_tolerance);
+    EXPECT_GE(hole.continuity_reached, Continuity::G1);
+    for (const SideReport& side : hole.sides) {
+        EXPECT_EQ(side.requested, Continuity::G1);
+        EXPECT_GT(side.curvature_mismatch, 1e-9);
+        EXPECT_NE(side.reason.find("was tried"), std::string::npos) << side.reason;
+    }
+}
+
 TEST(FillHoles, GivesOcctsFillingAsItIs) {
     const Body body = bodies().front();
     for (const PlateSetting setting : {PlateSetting::Default, PlateSetting::Tuned}) {

@@ -38,15 +38,54 @@ TEST(WishesFor, AsksForAFlatCapOnADuct) {
     }
 }
 
-TEST(WishesFor, AsksForTangencyInASkin) {
-    const Hole window =
-        windows::window_in(Sphere{tilted(), 3.0}, {{1.0, 0.1}, {0.5, 0.4}, 3, false});
-    for (const Wish& wish : wishes_for(window, {})) {
-        EXPECT_EQ(wish.continuity, Continuity::G1);
+TEST(WishesFor, HopesForCurvatureInASkinIfTheMethodHasIt) {
+    for (const double scale : {1e-3, 1.0, 1e3}) {
+        const Frame frame = tilted(scale);
+        for (const Hole& hole :
+             {windows::window_in(Torus{frame, 5.0 * scale, 2.0 * scale},
+                                 {{1.0, 0.1}, {0.5, 0.4}, 3, false}),
+              windows::window_in(Sphere{frame, 3.0 * scale}, {{1.0, 0.1}, {0.5, 0.4}, 1, true}),
+              windows::window_in(Plane{frame}, {{0, 0}, {3 * scale, 2 * scale}, 4, false})}) {
+            for (const char* method : {"auto", "mvs", "occt", "plane"}) {
+                FillRequest request;
+                request.method = method;
+                const bool able = std::string(method) == "auto" || std::string(method) == "mvs";
+                for (const Wish& wish : wishes_for(hole, request)) {
+                    EXPECT_EQ(wish.continuity, able ? Continuity::G2 : Continuity::G1) << method;
+                    EXPECT_EQ(wish.hoped, able);
+                }
+            }
+        }
     }
-    const Hole flat = windows::window_in(Plane{tilted()}, {{0, 0}, {3, 2}, 4, false});
-    for (const Wish& wish : wishes_for(flat, {})) {
-        EXPECT_EQ(wish.continuity, Continuity::G1);
+}
+
+/// A window in a sphere, one of whose neighbours bends otherwise: the sphere on all sides but
+/// number `side`, which has this much more curvature.
+Hole window_with_another_neighbour(int sides, int side, double share) {
+    Hole hole = windows::window_in(Sphere{tilted(), 3.0}, {{1.0, 0.1}, {0.5, 0.4}, sides, false});
+    Ribbon& ribbon = hole.loops.front().ribbons[static_cast<std::size_t>(side)];
+    ribbon.at = [at = ribbon.at, share](double s) {
+        RibbonPoint p = at(s);
+        p.curvature *= 1.0 + share;
+        return p;
+    };
+    return hole;
+}
+
+TEST(WishesFor, AsksForTangencyOnlyWhereCurvaturesDisagreeAtACorner) {
+    const auto wishes = wishes_for(window_with_another_neighbour(5, 2, 0.05), {});
+    ASSERT_EQ(wishes.size(), 5U);
+    for (const std::size_t i : {0U, 4U}) {
+        EXPECT_EQ(wishes[i].continuity, Continuity::G2) << wishes[i].reason;
+    }
+    for (const std::size_t i : {1U, 2U, 3U}) {
+        EXPECT_EQ(wishes[i].continuity, Continuity::G1);
+        EXPECT_FALSE(wishes[i].hoped);
+        EXPECT_NE(wishes[i].reason.find("4.76 %"), std::string::npos) << wishes[i].reason;
+    }
+    EXPECT_NE(wishes[3].reason.find("faces 3 and 4"), std::string::npos) << wishes[3].reason;
+    for (const Wish& wish : wishes_for(window_with_another_neighbour(5, 2, 0.001), {})) {
+        EXPECT_EQ(wish.continuity, Continuity::G2) << wish.reason;
     }
 }
 

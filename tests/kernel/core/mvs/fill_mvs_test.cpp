@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 
 #include <gtest/gtest.h>
+#include <tbb/global_control.h>
 
 #include <algorithm>
 #include <cmath>
@@ -189,62 +190,23 @@ TEST(FillMvs, AsksNoTangencyWhereOnlyPositionIsWanted) {
     expect_exact(filled(hole, {plane, {-2.0, -2.0}, {2.0, 2.0}}));
 }
 
-TEST(FillMvs, IsDeterministic) {
-    const Hole hole = zoo::window(zoo::saddle(1.0), zoo::regular({0.1, 0.05}, 0.5, 5));
-    const Result<FillResult> a = fill_mvs(hole, {});
-    const Result<FillResult> b = fill_mvs(hole, {});
-    ASSERT_TRUE(a && b);
-    EXPECT_TRUE(std::get<SplineSurface>(a->patches[0].surface).poles ==
-                std::get<SplineSurface>(b->patches[0].surface).poles);
-}
-
-// Rounding, amplified by a matrix whose condition is about 1e10.
-constexpr double kSame = 1e-8;
-
-TEST(FillMvs, TurnsScalesAndShiftsWithTheHole) {
-    const std::vector<zoo::Curve> curves = zoo::regular({0.1, 0.05}, 0.5, 5);
-    const Hole hole = zoo::window(zoo::torus(3.0, 1.0), curves);
-    const Result<FillResult> plain = fill_mvs(hole, {});
-    ASSERT_TRUE(plain);
-    const Eigen::Matrix3d turn =
-        Eigen::AngleAxisd(0.8, Vector3d(1.0, 2.0, -0.5).normalized()).toRotationMatrix();
-    for (const double factor : {1e-3, 1.0, 1e3}) {
-        const Eigen::Matrix3d linear = factor * turn;
-        const Vector3d shift = factor * Vector3d(3.0, -1.0, 2.0);
-        FillOptions options;
-        options.tolerance.linear *= factor;
-        const Result<FillResult> moved =
-            fill_mvs(zoo::window(zoo::moved(zoo::torus(3.0, 1.0), linear, shift), curves), options);
-        ASSERT_TRUE(moved);
-        const auto& p = std::get<SplineSurface>(plain->patches[0].surface);
-        const auto& q = std::get<SplineSurface>(moved->patches[0].surface);
-        ASSERT_EQ(p.poles.cols(), q.poles.cols());
-        for (const double s : {0.1, 0.6}) {
-            const Vector2d a = 0.5 * plain->patches[0].trims[0][0](s);
-            const Vector2d b = 0.5 * moved->patches[0].trims[0][0](s);
-            // Compared along the normal: inside, the parametrisation is free.
-            const SurfaceJet j = evaluate(p, a.x(), a.y());
-            const Vector3d n = turn * j.u.cross(j.v).normalized();
-            const Vector3d expected = linear * j.point + shift;
-            const double miss = n.dot(evaluate(q, b.x(), b.y()).point - expected);
-            EXPECT_LT(std::abs(miss), kSame * factor);
+TEST(FillMvs, GivesTheSameBitsOnAnyNumberOfThreads) {
+    // Small and large nets: a star in a wavy sheet needs more than thirty poles each way.
+    for (const Hole& hole :
+         {zoo::window(zoo::saddle(1.0), zoo::regular({0.1, 0.05}, 0.5, 5)),
+          zoo::window(zoo::wavy(0.1, 2.0), zoo::star({0.3, 0.1}, 0.5, 0.25, 5, 5))}) {
+        const auto fill_on = [&](std::size_t threads) {
+            const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+            return std::get<SplineSurface>(fill_mvs(hole, {}).value().patches[0].surface);
+        };
+        const SplineSurface one = fill_on(1);
+        for (const std::size_t threads : {2U, 2U, 5U}) {
+            const SplineSurface more = fill_on(threads);
+            EXPECT_TRUE(one.poles == more.poles) << threads << " threads";
+            EXPECT_EQ(one.knots_u, more.knots_u);
+            EXPECT_EQ(one.knots_v, more.knots_v);
         }
     }
-}
-
-TEST(FillMvs, DoesNotDependOnTheStartEdge) {
-    Hole hole = zoo::window(zoo::torus(3.0, 1.0), zoo::regular({0.1, 0.05}, 0.5, 5));
-    const Result<FillResult> plain = fill_mvs(hole, {});
-    std::vector<Ribbon>& ribbons = hole.loops[0].ribbons;
-    std::rotate(ribbons.begin(), ribbons.begin() + 2, ribbons.end());
-    const Result<FillResult> turned = fill_mvs(hole, {});
-    ASSERT_TRUE(plain && turned);
-    const Vector2d a = 0.5 * plain->patches[0].trims[0][2](0.3);
-    const Vector2d b = 0.5 * turned->patches[0].trims[0][0](0.3);
-    const SurfaceJet j = evaluate(std::get<SplineSurface>(plain->patches[0].surface), a.x(), a.y());
-    const Vector3d q =
-        evaluate(std::get<SplineSurface>(turned->patches[0].surface), b.x(), b.y()).point;
-    EXPECT_LT(std::abs(j.u.cross(j.v).normalized().dot(j.point - q)), kSame);
 }
 
 // Clockwise: with the hole on the left.
@@ -262,6 +224,104 @@ std::vector<zoo::Curve> reversed(std::vector<zoo::Curve> curves) {
 Hole with_island(Hole hole, const Hole& island) {
     hole.loops.push_back(island.loops.front());
     return hole;
+}
+
+// Rounding, amplified by a matrix whose condition is about 1e10.
+constexpr double kSame = 1e-9;
+
+// A window in a torus, with or without an island, turned, scaled and shifted.
+Hole torus_window(bool island, const Eigen::Matrix3d& linear, const Vector3d& shift) {
+    const zoo::Surface torus = zoo::moved(zoo::torus(3.0, 1.0), linear, shift);
+    Hole hole = zoo::window(torus, zoo::regular({0.1, 0.05}, 0.5, 5));
+    return island ? with_island(std::move(hole),
+                                zoo::window(torus, reversed(zoo::regular({0.15, 0.1}, 0.15, 3))))
+                  : hole;
+}
+
+// How far apart two fills are, along the normal: inside, the parametrisation is free. `where`: the
+// same points of both domains.
+double distance_between(const FillResult& a, const FillResult& b, const Vector2d& where_a,
+                        const Vector2d& where_b, const Eigen::Matrix3d& linear,
+                        const Vector3d& shift) {
+    const SurfaceJet p =
+        evaluate(std::get<SplineSurface>(a.patches[0].surface), where_a.x(), where_a.y());
+    const SurfaceJet q =
+        evaluate(std::get<SplineSurface>(b.patches[0].surface), where_b.x(), where_b.y());
+    return std::abs(q.u.cross(q.v).normalized().dot(q.point - linear * p.point - shift));
+}
+
+TEST(FillMvs, TurnsScalesAndShiftsWithTheHole) {
+    const Eigen::Matrix3d turn =
+        Eigen::AngleAxisd(0.8, Vector3d(1.0, 2.0, -0.5).normalized()).toRotationMatrix();
+    for (const bool island : {false, true}) {
+        const Result<FillResult> plain =
+            fill_mvs(torus_window(island, Eigen::Matrix3d::Identity(), Vector3d::Zero()), {});
+        ASSERT_TRUE(plain) << plain.error().message;
+        for (const double factor : {1e-3, 1.0, 1e3}) {
+            const Eigen::Matrix3d linear = factor * turn;
+            const Vector3d shift = factor * Vector3d(3.0, -1.0, 2.0);
+            FillOptions options;
+            options.tolerance.linear *= factor;
+            const Result<FillResult> moved = fill_mvs(torus_window(island, linear, shift), options);
+            ASSERT_TRUE(moved) << moved.error().message;
+            for (const double s : {0.1, 0.6}) {
+                EXPECT_LT(distance_between(*plain, *moved, 0.8 * plain->patches[0].trims[0][0](s),
+                                           0.8 * moved->patches[0].trims[0][0](s), linear, shift),
+                          kSame * factor)
+                    << "scale " << factor << (island ? ", island" : "");
+            }
+        }
+    }
+}
+
+// The same hole from the other side of the material: every loop is walked the other way.
+Hole turned_over(const Hole& hole) {
+    Hole result = hole;
+    for (RibbonLoop& loop : result.loops) {
+        std::reverse(loop.ribbons.begin(), loop.ribbons.end());
+        for (Ribbon& ribbon : loop.ribbons) {
+            ribbon.at = [at = ribbon.at](double s) {
+                RibbonPoint p = at(1.0 - s);
+                p.tangent = -p.tangent;
+                p.normal = -p.normal;
+                p.curvature = -p.curvature;
+                return p;
+            };
+        }
+    }
+    return result;
+}
+
+TEST(FillMvs, DoesNotDependOnTheSideFromWhichTheHoleIsSeen) {
+    for (const bool island : {false, true}) {
+        const Hole hole = torus_window(island, Eigen::Matrix3d::Identity(), Vector3d::Zero());
+        const Result<FillResult> plain = fill_mvs(hole, {});
+        const Result<FillResult> turned = fill_mvs(turned_over(hole), {});
+        ASSERT_TRUE(plain && turned);
+        const std::size_t last = hole.loops[0].ribbons.size() - 1;
+        for (const double s : {0.1, 0.6}) {
+            EXPECT_LT(distance_between(*plain, *turned, 0.8 * plain->patches[0].trims[0][0](s),
+                                       0.8 * turned->patches[0].trims[0][last](1.0 - s),
+                                       Eigen::Matrix3d::Identity(), Vector3d::Zero()),
+                      kSame)
+                << (island ? "island" : "plain");
+        }
+    }
+}
+
+TEST(FillMvs, DoesNotDependOnTheStartEdge) {
+    Hole hole = zoo::window(zoo::torus(3.0, 1.0), zoo::regular({0.1, 0.05}, 0.5, 5));
+    const Result<FillResult> plain = fill_mvs(hole, {});
+    std::vector<Ribbon>& ribbons = hole.loops[0].ribbons;
+    std::rotate(ribbons.begin(), ribbons.begin() + 2, ribbons.end());
+    const Result<FillResult> turned = fill_mvs(hole, {});
+    ASSERT_TRUE(plain && turned);
+    const Vector2d a = 0.5 * plain->patches[0].trims[0][2](0.3);
+    const Vector2d b = 0.5 * turned->patches[0].trims[0][0](0.3);
+    const SurfaceJet j = evaluate(std::get<SplineSurface>(plain->patches[0].surface), a.x(), a.y());
+    const Vector3d q =
+        evaluate(std::get<SplineSurface>(turned->patches[0].surface), b.x(), b.y()).point;
+    EXPECT_LT(std::abs(j.u.cross(j.v).normalized().dot(j.point - q)), kSame);
 }
 
 // The largest gap and angle at an island.

@@ -1,0 +1,107 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Every command of the workbench as a function, with or without a window.
+
+    import FreeCAD
+    from suture_workbench import api
+    part = FreeCAD.openDocument("part.FCStd").Objects[0]
+    for hole in api.find_holes(part).report.holes:
+        print(hole.id, hole.kind, hole.edges)
+    filled = api.fill(part, edges=[9], method="mvs")
+    print(api.check(filled).verdict)
+
+Every failure is a SutureError, whose text is a sentence and whose `edges` are those that it names.
+"""
+
+from pathlib import Path
+
+from . import exporter, feature, places, tasks, waiting
+from .compat import translate
+from .errors import NothingToDo, SutureError
+from .options import CheckOptions, FillOptions
+from .reports import FILLABLE
+
+
+def find_holes(obj):
+    """tasks.Found of an object: the loops of its shape, holes first; none is no failure."""
+    try:
+        return waiting.run(tasks.FindHoles(places.local_shape(obj)))
+    except NothingToDo:
+        return tasks.Found(None, places.local_shape(obj), None)
+
+
+def edges_for(obj, edges=(), faces=()):
+    """One edge of each hole that has one of the edges, or one of the faces as a neighbour."""
+    if not faces:
+        return list(edges)
+    found = find_holes(obj)
+    holes = found.report.holes if found.report else []
+    wanted = list(edges)
+    for hole in holes:
+        if hole.kind == FILLABLE and set(hole.faces) & set(faces):
+            numbers = [number for number in map(found.number, hole.edges) if number]
+            if numbers and not set(numbers) & set(wanted):
+                wanted.append(numbers[0])
+    if not wanted:
+        names = ", ".join(f"Face{face}" for face in faces)
+        raise SutureError(translate("No hole lies beside {}.").format(names))
+    return wanted
+
+
+def fill(obj, edges=(), faces=(), through=(), **options):
+    """A parametric object in which holes of `obj` are filled; without edges and faces all of them.
+
+    through   [(object, ("Edge1", "Vertex2")), ...] that the new face passes through
+    options   those of FillOptions: method, continuity, sides, points, gap, angle, curvature,
+              own, one_face, all_loops
+    """
+    base = places.base_of(obj)
+    chosen = FillOptions(edges_for(base, edges, faces), **options)
+    request = feature.Request(base, chosen.with_points(places.points_through(through, base)))
+    return keep(request, waiting.run(request.task()), chosen, through)
+
+
+def keep(request, filled, options, through=(), edited=None):
+    """Makes what was filled an object, or `edited` one, in one step of undo.
+
+    options   those of the request without the points of `through`
+    """
+    document = request.base.Document
+    document.openTransaction(translate("Fill holes"))
+    try:
+        obj = edited or feature.make(request.base)
+        feature.set_options(obj, options, through)
+        feature.store(obj, request, filled)
+        hide(request.base)
+        document.recompute()
+    except BaseException:
+        document.abortTransaction()
+        raise
+    document.commitTransaction()
+    return obj
+
+
+def hide(obj):
+    """The base disappears behind its result, as in FreeCAD's own features."""
+    if getattr(obj, "ViewObject", None) is not None:
+        obj.ViewObject.Visibility = False
+
+
+def check(obj, html=None, **options):
+    """reports.Check of an object; options are those of CheckOptions, `html` a file to write too."""
+    chosen = CheckOptions(**options)
+    report, _ = waiting.run(tasks.CheckContinuity(places.local_shape(obj), chosen, html))
+    return report
+
+
+def convert(source, target, fill_holes=False, sew=False, **options):
+    """Converts a file without opening it; with fill_holes its holes are filled on the way.
+
+    Result   the program's document (docs/json.md)
+    """
+    chosen = FillOptions(**options) if fill_holes else None
+    return waiting.run(tasks.ConvertFile(Path(source), Path(target), chosen, sew))
+
+
+def export(objects, filename):
+    """Writes objects as STEP or IGES with their holes filled. Result   the program's verdict."""
+    return exporter.export(objects, filename)

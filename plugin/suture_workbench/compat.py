@@ -1,0 +1,70 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What differs between FreeCAD 0.20 (Qt 5) and 1.x (Qt 6): here and nowhere else."""
+
+import FreeCAD as App
+
+try:
+    from PySide import QtCore, QtGui
+
+    try:
+        from PySide import QtWidgets
+    except ImportError:  # 0.20: PySide.QtGui holds the widgets
+        QtWidgets = QtGui
+except ImportError:  # plain Python without FreeCAD's Ext folder: no window, no Qt
+    QtCore = QtGui = QtWidgets = None
+
+
+def translate(text):
+    """`text` in the user's language."""
+    return App.Qt.translate("Suture", text)
+
+
+def mark(text):
+    """`text` as it is, to be translated where it is shown."""
+    return text
+
+
+def as_int(flags):
+    """Qt's flags as the int that FreeCAD's getStandardButtons takes."""
+    return int(getattr(flags, "value", flags))
+
+
+def run_loop(loop):
+    """QEventLoop or QDialog until it ends."""
+    return loop.exec() if hasattr(loop, "exec") else loop.exec_()
+
+
+class Stateless:
+    """A proxy without state of its own, for every version's way of saving it."""
+
+    def dumps(self):
+        return None
+
+    def loads(self, state):
+        return None
+
+    __getstate__ = dumps
+    __setstate__ = loads
+
+
+def element_of(sub):
+    """The element ("Edge9") that a sub-element name ends in, or "".
+
+    1.x puts mapped names before it, as in "Body.Pad.;g233;SKT.Face6" or "?Face6".
+    """
+    return sub.rsplit(".", 1)[-1].lstrip("?") if sub else ""
+
+
+def face_colors(view_object):
+    """The colours of the faces as tuples of four floats; one for all of them, or one for each."""
+    return [tuple(float(part) for part in color) for color in view_object.DiffuseColor]
+
+
+def set_face_colors(view_object, colors):
+    """DiffuseColor takes nothing but floats; 1.x translates it to ShapeAppearance."""
+    view_object.DiffuseColor = [tuple(float(part) for part in color) for color in colors]
+
+
+def version():
+    """FreeCAD's version as a tuple, (0, 20)."""
+    return tuple(int(part) for part in App.Version()[:2])

@@ -1,0 +1,218 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Drawings in the 3D view that belong to no document: outlines, previews, markers, zebra, combs."""
+
+import math
+
+import FreeCADGui as Gui
+from pivy import coin
+
+ORANGE = (0.98, 0.55, 0.10)
+_LETTERS, _SHADOW = (1.0, 1.0, 1.0), (0.0, 0.0, 0.0)
+
+
+class Overlay:
+    """A layer over one view; `placement` moves what is drawn to where its object stands."""
+
+    def __init__(self, placement=None, view=None):
+        document = Gui.ActiveDocument
+        self._view = view or (document.ActiveView if document else None)
+        self._root = coin.SoSeparator()
+        self._root.setName("SutureOverlay")
+        pick = coin.SoPickStyle()
+        pick.style = coin.SoPickStyle.UNPICKABLE
+        self._root.addChild(pick)
+        if placement is not None:
+            self._root.addChild(_transform(placement))
+        self._body = coin.SoGroup()
+        self._root.addChild(self._body)
+        self._graph = self._view.getSceneGraph() if hasattr(self._view, "getSceneGraph") else None
+        if self._graph is not None:
+            self._graph.addChild(self._root)
+
+    def clear(self):
+        self._body.removeAllChildren()
+
+    def close(self):
+        """Takes the layer away; harmless when its view is gone."""
+        if self._graph is None:
+            return
+        try:
+            if self._graph.findChild(self._root) >= 0:
+                self._graph.removeChild(self._root)
+        except (RuntimeError, ReferenceError):
+            pass  # the view was closed before
+        self._graph = None
+
+    def lines(self, polylines, color, width=3.0):
+        """Draws polylines (lists of points)."""
+        points, indices = [], []
+        for polyline in polylines:
+            indices += range(len(points), len(points) + len(polyline))
+            indices.append(-1)
+            points += [tuple(point) for point in polyline]
+        style = coin.SoDrawStyle()
+        style.lineWidth = width
+        lines = coin.SoIndexedLineSet()
+        lines.coordIndex.setValues(0, len(indices), indices)
+        self._add(_flat(color), style, _coordinates(points), lines)
+
+    def markers(self, points, color):
+        """Draws a cross at each point."""
+        markers = coin.SoMarkerSet()
+        markers.markerIndex = coin.SoMarkerSet.DIAMOND_FILLED_9_9
+        self._add(_flat(color), _coordinates([tuple(point) for point in points]), markers)
+
+    def mesh(self, points, normals, triangles, color, transparency=0.0, stripes=None):
+        """Draws a shaded mesh; with `stripes` it mirrors them."""
+        material = coin.SoMaterial()
+        material.diffuseColor = color
+        material.transparency = transparency
+        hints = coin.SoShapeHints()
+        hints.vertexOrdering = coin.SoShapeHints.COUNTERCLOCKWISE
+        offset = coin.SoPolygonOffset()
+        offset.factor, offset.units = -1.0, -1.0  # in front of the face that it covers
+        normal = coin.SoNormal()
+        normal.vector.setValues(0, len(normals), normals)
+        binding = coin.SoNormalBinding()
+        binding.value = coin.SoNormalBinding.PER_VERTEX_INDEXED
+        faces = coin.SoIndexedFaceSet()
+        indices = [i for triangle in triangles for i in (*triangle, -1)]
+        faces.coordIndex.setValues(0, len(indices), indices)
+        nodes = [material, hints, offset]
+        if stripes is not None:
+            nodes.append(stripes)
+        self._add(*nodes, _coordinates(points), normal, binding, faces)
+
+    def legend(self, rows):
+        """Writes rows of (text, colour) into the view's upper left corner."""
+        layer = coin.SoSeparator()
+        camera = coin.SoOrthographicCamera()
+        camera.viewportMapping = coin.SoCamera.LEAVE_ALONE
+        camera.height, camera.aspectRatio = 2.0, 1.0
+        camera.position = (0, 0, 5)
+        depth = coin.SoDepthBuffer()
+        depth.test = False
+        font = coin.SoFont()
+        font.size = 15
+        for node in (camera, depth, _flat((0, 0, 0)), font):
+            layer.addChild(node)
+        for row, (text, color) in enumerate(rows):
+            place = coin.SoTranslation()
+            place.translation = (-0.96, 0.9 - 0.07 * row, 0.0)
+            swatch = coin.SoMarkerSet()
+            swatch.markerIndex = coin.SoMarkerSet.SQUARE_FILLED_9_9
+            gap = coin.SoTranslation()
+            gap.translation = (0.03, -0.015, 0.0)
+            written = coin.SoText2()
+            written.string = text
+            line = coin.SoSeparator()
+            for node in (place, _flat(color), _coordinates([(0, 0, 0)]), swatch):
+                line.addChild(node)
+            shadow = coin.SoTranslation()
+            shadow.translation = (0.003, -0.004, 0.0)
+            back = coin.SoTranslation()
+            back.translation = (-0.003, 0.004, 0.0)
+            for node in (gap, shadow, _flat(_SHADOW), written, back, _flat(_LETTERS), written):
+                line.addChild(node)
+            layer.addChild(line)
+        self._body.addChild(layer)
+
+    def _add(self, *nodes):
+        part = coin.SoSeparator()
+        for node in nodes:
+            part.addChild(node)
+        self._body.addChild(part)
+
+
+def outline(edge, deflection):
+    """An edge as a polyline."""
+    return edge.discretize(Deflection=deflection) if edge.Length > 0 else []
+
+
+def fineness(shape):
+    """A deflection at which a shape looks round."""
+    return max(shape.BoundBox.DiagonalLength * 5e-4, 1e-6)
+
+
+def mesh_of(face, deflection):
+    """(points, normals, triangles) of a face, with the surface's own normals."""
+    points, triangles = face.tessellate(deflection)
+    # The nodes' parameters come in another order: found again by place, else by projection.
+    digits = 3 - math.floor(math.log10(deflection))
+    parameters = {_rounded(face.valueAt(u, v), digits): (u, v) for u, v in face.getUVNodes()}
+    normals = []
+    for point in points:
+        u, v = parameters.get(_rounded(point, digits)) or face.Surface.parameter(point)
+        normals.append(tuple(face.normalAt(u, v)))
+    return [tuple(point) for point in points], normals, triangles
+
+
+def _rounded(point, digits):
+    return tuple(round(x, digits) for x in point)
+
+
+_VERTEX = """
+varying vec3 normal;
+varying vec3 place;
+void main() {
+    normal = gl_NormalMatrix * gl_Normal;
+    place = vec3(gl_ModelViewMatrix * gl_Vertex);
+    gl_Position = ftransform();
+}
+"""
+# Lines of light far away, mirrored: the angle between the mirrored view and the lines' plane, in
+# stripes. Exact at every pixel, so that a bend between two faces is theirs and not the mesh's.
+_FRAGMENT = """
+varying vec3 normal;
+varying vec3 place;
+uniform float stripes;
+void main() {
+    vec3 view = gl_ProjectionMatrix[3][3] > 0.5 ? vec3(0.0, 0.0, -1.0) : normalize(place);
+    vec3 n = normalize(normal);
+    vec3 mirrored = reflect(view, faceforward(n, view, n));
+    float phase = stripes * acos(clamp(mirrored.y, -1.0, 1.0));
+    float edge = max(fwidth(phase), 0.0001);
+    float white = smoothstep(-edge, edge, sin(phase));
+    float light = 0.75 + 0.25 * abs(dot(n, view));
+    gl_FragColor = vec4(vec3(light * mix(0.06, 1.0, white)), 1.0);
+}
+"""
+
+
+def stripes(count=14.0):
+    """A node that makes what follows it mirror stripes."""
+    program = coin.SoShaderProgram()
+    for position, (shader, text) in enumerate(
+        ((coin.SoVertexShader(), _VERTEX), (coin.SoFragmentShader(), _FRAGMENT))
+    ):
+        shader.sourceType = coin.SoShaderObject.GLSL_PROGRAM
+        shader.sourceProgram = text
+        program.shaderObject.set1Value(position, shader)
+    parameter = coin.SoShaderParameter1f()
+    parameter.name, parameter.value = "stripes", count
+    shader.parameter.set1Value(0, parameter)
+    return program
+
+
+def _coordinates(points):
+    node = coin.SoCoordinate3()
+    node.point.setValues(0, len(points), points)
+    return node
+
+
+def _flat(color):
+    group = coin.SoGroup()
+    light = coin.SoLightModel()
+    light.model = coin.SoLightModel.BASE_COLOR
+    base = coin.SoBaseColor()
+    base.rgb = color
+    group.addChild(light)
+    group.addChild(base)
+    return group
+
+
+def _transform(placement):
+    node = coin.SoTransform()
+    node.translation = tuple(placement.Base)
+    node.rotation = tuple(placement.Rotation.Q)
+    return node

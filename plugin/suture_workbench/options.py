@@ -1,0 +1,82 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What a user can ask of a fill and of a check."""
+
+import copy
+import json
+
+from . import settings
+
+CONTINUITIES = ["auto", "G0", "G1", "G2"]
+PROFILES = ["catia", "vda4955", "occt"]
+
+
+class FillOptions:
+    """All that `suture fill` is told; edge numbers are FreeCAD's, points those of the shape.
+
+    edges        one edge of each hole to fill, or none for all holes
+    one_face     the loops bound one face: the others are islands in the first
+    all_loops    rims and doubtful loops too
+    sides        {edge: "G2"}: the continuity of single sides
+    points       to pass through, as (x, y, z)
+    own          {key: value}: the method's own options (program.options_of)
+    """
+
+    def __init__(self, edges=(), method=None, continuity="auto", sides=None, points=(), **more):
+        self.edges = list(edges)
+        self.method = method or settings.method()
+        self.continuity = continuity
+        self.sides = dict(sides or {})
+        self.points = [tuple(float(x) for x in point) for point in points]
+        self.gap = more.pop("gap", None) or settings.gap()
+        self.angle = more.pop("angle", None) or settings.angle()
+        self.curvature = more.pop("curvature", None) or settings.curvature()
+        self.own = {key: str(value) for key, value in (more.pop("own", None) or {}).items()}
+        self.one_face = more.pop("one_face", False)
+        self.all_loops = more.pop("all_loops", False)
+        if more:
+            raise TypeError(f"no such option: {', '.join(more)}")
+
+    def with_points(self, points):
+        """The same with more points to pass through."""
+        more = copy.copy(self)
+        more.points = [*self.points, *(tuple(float(x) for x in point) for point in points)]
+        return more
+
+    def named_edges(self):
+        return list(dict.fromkeys([*self.edges, *self.sides]))
+
+    def arguments(self, number):
+        """For the command line, without the choice of holes and the points."""
+        words = ["--method", self.method, "--continuity", self.continuity]
+        words += ["--tolerance", repr(self.gap), "--angle", repr(self.angle)]
+        words += ["--curvature", repr(self.curvature)]
+        if self.sides:
+            sides = (f"{number(edge)}={wanted}" for edge, wanted in sorted(self.sides.items()))
+            words += ["--edge-continuity", ",".join(sides)]
+        for key, value in self.own.items():
+            words += ["--option", f"{key}={value}"]
+        if self.all_loops:
+            words.append("--all-loops")
+        return words
+
+    def key(self):
+        """A text that is the same for the same options."""
+        return json.dumps(vars(self), sort_keys=True)
+
+
+class CheckOptions:
+    """What `suture check` is told; a limit that is None is the profile's."""
+
+    def __init__(self, profile="catia", gap=None, angle=None, curvature=None, sharp=None, edges=()):
+        self.profile = profile
+        self.limits = {"--g0": gap, "--g1": angle, "--g2": curvature, "--sharp": sharp}
+        self.edges = list(edges)
+
+    def arguments(self, number):
+        words = ["--profile", self.profile]
+        for option, limit in self.limits.items():
+            if limit is not None:
+                words += [option, repr(float(limit))]
+        if self.edges:
+            words += ["--edges", ",".join(str(number(edge)) for edge in self.edges)]
+        return words

@@ -1,0 +1,139 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Where objects stand: their shapes, their containers, and what a user has selected of them."""
+
+from collections import namedtuple
+
+import FreeCAD as App
+import Part
+
+from . import exchange
+from .compat import element_of, translate
+from .errors import SutureError
+
+# What is selected of one object: numbers of edges and faces, and how the 3D view names it.
+Selected = namedtuple("Selected", "obj edges faces top path")
+
+
+def has_shape(obj):
+    """Whether there is a shape with faces or edges to work on."""
+    try:
+        shape = Part.getShape(obj)
+    except Exception:  # FreeCAD raises several kinds for objects that have none
+        return False
+    return not shape.isNull()
+
+
+def shape_of(obj):
+    """The shape of anything that has one (features, Bodies, links), in its container."""
+    if not has_shape(obj):
+        raise SutureError(translate("{} has no shape.").format(obj.Label))
+    return Part.getShape(obj)
+
+
+def local_shape(obj):
+    """The shape at the origin: moving the object does not change it."""
+    return exchange.without_placement(shape_of(obj))
+
+
+def containers(obj):
+    """The Parts and Bodies around an object, innermost first."""
+    result = []
+    while True:
+        obj = obj.getParentGeoFeatureGroup()
+        if obj is None:
+            return result
+        result.append(obj)
+
+
+def frame(obj):
+    """From the coordinates in which an object's shape stands to those of the document."""
+    placement = App.Placement()
+    for container in containers(obj):
+        placement = container.Placement.multiply(placement)
+    return placement
+
+
+def to_document(obj):
+    """From the coordinates of local_shape to those of the document."""
+    return frame(obj).multiply(shape_of(obj).Placement)
+
+
+def home_for_result(obj):
+    """The container that a result made from `obj` belongs in: its Part; None for the document.
+
+    A Body takes nothing but its own features, so what is made from one stands beside it.
+    """
+    for container in containers(obj):
+        if container.TypeId == "App::Part":
+            return container
+    return None
+
+
+def base_of(obj):
+    """What to work on when `obj` was picked: the Body instead of the feature at its tip."""
+    container = obj.getParentGeoFeatureGroup()
+    if container is not None and getattr(container, "Tip", None) is obj:
+        return container
+    return obj
+
+
+def selection(selected):
+    """What a selection (Gui.Selection.getSelectionEx("", 0)) holds, object by object."""
+    found = {}
+    for entry in selected:
+        for sub in entry.SubElementNames or ("",):
+            obj, path, element = resolve(entry.Object, sub)
+            if not has_shape(obj):
+                continue
+            key = (obj.Document.Name, obj.Name, path)
+            item = found.setdefault(key, Selected(obj, [], [], entry.Object, path))
+            if element.startswith("Edge"):
+                item.edges.append(int(element[4:]))
+            elif element.startswith("Face"):
+                item.faces.append(int(element[4:]))
+    return list(found.values())
+
+
+def resolve(top, sub):
+    """The object that a sub-element name leads to, the way to it, and the element of it."""
+    element = element_of(sub)
+    names = sub.split(".")[:-1]
+    chain = top.getSubObjectList(sub) or [top]
+    named = [obj for obj in chain if obj is not None]
+    leaf = base_of(named[-1])
+    if leaf is not named[-1] and leaf in named:
+        names = names[: named.index(leaf)]
+    names = [name for name in names if not name.startswith(";")]
+    return leaf, "".join(name + "." for name in names), element
+
+
+def points_through(references, obj):
+    """Points of vertices and edges of other objects, in the coordinates of local_shape(obj).
+
+    references   [(object, ("Vertex1", "Edge2")), ...]; no sub-elements: all edges, else all vertices
+    """
+    back = to_document(obj).inverse()
+    points = []
+    for other, subs in references or ():
+        move = back.multiply(frame(other))
+        shape = shape_of(other)
+        subs = [sub for sub in subs if sub]
+        parts = [shape.getElement(element_of(sub)) for sub in subs] or _all_parts(shape)
+        for part in parts:
+            points += [move.multVec(point) for point in _points_of(part)]
+    return points
+
+
+_POINTS_ON_AN_EDGE = 33
+
+
+def _all_parts(shape):
+    return shape.Edges or shape.Vertexes
+
+
+def _points_of(part):
+    if part.ShapeType == "Vertex":
+        return [part.Point]
+    if part.ShapeType == "Edge":
+        return part.discretize(_POINTS_ON_AN_EDGE)
+    raise SutureError(translate("Points to pass through are vertices and edges, not faces."))

@@ -1,0 +1,114 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Where the program `suture` is, and how to get it."""
+
+import json
+import os
+import shutil
+import subprocess  # nosec B404: Audited: only the program itself is run, without a shell
+from pathlib import Path
+
+from . import ADDON, settings
+from .compat import translate
+from .errors import ProgramMissing
+
+NAME = "suture.exe" if os.name == "nt" else "suture"
+# Of FreeCAD's bundles (AppImage, conda): they make a foreign program load FreeCAD's libraries.
+_BUNDLE_VARIABLES = (
+    "LD_LIBRARY_PATH",
+    "LD_PRELOAD",
+    "DYLD_LIBRARY_PATH",
+    "PYTHONHOME",
+    "PYTHONPATH",
+    "QT_PLUGIN_PATH",
+)
+
+
+def candidates():
+    """Where the program may be unless the user says otherwise; an absolute path or None each."""
+    yield os.environ.get("SUTURE_EXE")
+    yield ADDON / "build" / "release" / "bin" / NAME  # what ./suture has built
+    yield ADDON / "bin" / NAME
+    yield shutil.which(NAME)
+
+
+def find(chosen=None):
+    """The program's path; ProgramMissing says how to get it.
+
+    chosen   where the user says that it is, "" for the usual places; None: as in the preferences
+    """
+    chosen = settings.program() if chosen is None else chosen
+    if chosen and _runs(chosen):
+        return chosen
+    if chosen:
+        raise ProgramMissing(
+            translate(
+                "There is no program {}. Correct the path in Edit > Preferences > Suture, or clear "
+                "it to have the usual places searched."
+            ).format(chosen)
+        )
+    for path in candidates():
+        if path and _runs(path):
+            return str(path)
+    raise ProgramMissing(how_to_get_it())
+
+
+def how_to_get_it():
+    script = ADDON / "suture"
+    if script.is_file():
+        build = translate(
+            "Build it by running this in a terminal:\n    {} --version\n"
+            "or, if you have it, enter its path in Edit > Preferences > Suture."
+        ).format(script)
+    else:
+        build = translate(
+            "Install it (see README.md of Suture), and enter its path in Edit > Preferences > Suture."
+        )
+    return translate("The program 'suture', which does the work, was not found.") + " " + build
+
+
+def environment():
+    """The environment for the program: the user's, not that of FreeCAD's bundle."""
+    return {key: value for key, value in os.environ.items() if key not in _BUNDLE_VARIABLES}
+
+
+_USUAL = [{"id": name} for name in ("auto", "extend", "plane", "mvs", "occt")]
+_tables = {}
+
+
+def methods():
+    """The names of the fill methods of the program that is there, `auto` first; the usual ones where
+    there is none."""
+    return [method["id"] for method in _table()]
+
+
+def options_of(method):
+    """The options of a method's own: [{"key", "value", "text"}, ...]."""
+    return next((row.get("options", []) for row in _table() if row["id"] == method), [])
+
+
+def _table():
+    """What `suture methods` has, asked for once."""
+    try:
+        path = find()
+        key = (path, Path(path).stat().st_mtime)
+        if key not in _tables:
+            _tables[key] = _ask_for_methods(path)
+        return _tables[key]
+    except (ProgramMissing, OSError, ValueError, KeyError, subprocess.SubprocessError):
+        return _USUAL
+
+
+def _ask_for_methods(path):
+    done = subprocess.run(  # nosec B603: Audited: a list of arguments, no shell
+        [path, "methods", "--json"],
+        stdin=subprocess.DEVNULL,
+        capture_output=True,
+        env=environment(),
+        timeout=10,
+        check=True,
+    )
+    return json.loads(done.stdout)["methods"]
+
+
+def _runs(path):
+    return os.path.isfile(path) and os.access(path, os.X_OK)

@@ -1,0 +1,257 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The program's answers (docs/json.md) as objects."""
+
+import csv
+import io
+from collections import namedtuple
+
+from .compat import translate
+from .errors import SutureError, in_freecads_words
+
+FILLABLE = "hole"
+
+Hole = namedtuple("Hole", "id kind reason edges faces diameter length planar corners islands")
+Corner = namedtuple("Corner", "point angle mismatch faces")
+Holes = namedtuple("Holes", "verdict holes sewn sewing_tolerance document")
+
+Side = namedtuple("Side", "edge face wanted reason gap angle curvature")
+HoleFill = namedtuple(
+    "HoleFill",
+    "id ids status method wanted reached ok gap angle reason sides new_faces notes edges points distance",
+)
+Fill = namedtuple("Fill", "verdict holes closed valid free_edges ok document")
+
+EdgeCheck = namedtuple(
+    "EdgeCheck",
+    "edge faces kind near_miss gap gap_at angle at curvature curvature_at length measured note",
+)
+Check = namedtuple("Check", "verdict edges limits near_misses free_edges document")
+Limits = namedtuple("Limits", "name gap angle curvature sharp")
+
+
+def _checked(parse):
+    """A missing or odd key is a damaged answer, and said so."""
+
+    def wrapped(document):
+        try:
+            return parse(document)
+        except (KeyError, TypeError, ValueError, IndexError, AttributeError) as error:
+            raise SutureError(
+                translate(
+                    "The program's answer is not as expected ({}: {}). Is it too old?"
+                ).format(type(error).__name__, error)
+            ) from error
+
+    return wrapped
+
+
+@_checked
+def holes(document):
+    """`inspect`: every boundary loop, holes first."""
+    found = [
+        Hole(
+            entry["id"],
+            entry["kind"],
+            in_freecads_words(entry["reason"]),
+            list(entry["edges"]),
+            list(entry["faces"]),
+            float(entry["diameter"]),
+            float(entry["length"]),
+            bool(entry["planar"]),
+            [
+                Corner(c["point"], c["angle_deg"], c["normal_mismatch_deg"], c["faces"])
+                for c in entry["corners"]
+            ],
+            list(entry["islands_with"]),
+        )
+        for entry in document["holes"]
+    ]
+    found.sort(key=lambda hole: (hole.kind != FILLABLE, hole.id))
+    sewing = document.get("sewing") or {}
+    return Holes(
+        document["verdict"],
+        found,
+        bool(sewing.get("changed")),
+        float(sewing.get("tolerance") or 0.0),
+        document,
+    )
+
+
+@_checked
+def fill(document):
+    """`fill`: what became of every hole."""
+    filled = [
+        HoleFill(
+            entry["id"],
+            list(entry["ids"]),
+            entry["status"],
+            entry["method_used"],
+            entry["continuity_requested"],
+            entry["continuity_reached"],
+            entry["within_tolerance"],
+            entry["max_gap"],
+            entry["max_angle_deg"],
+            in_freecads_words(entry["reason"]),
+            [
+                Side(
+                    side["edge"],
+                    side["face"],
+                    side["continuity_requested"],
+                    in_freecads_words(side["reason"]),
+                    side["max_gap"],
+                    side["max_angle_deg"],
+                    side["max_curvature_mismatch"],
+                )
+                for side in entry["edges"]
+            ],
+            [patch["face"] for patch in entry["patches"]],
+            [in_freecads_words(note) for note in entry["notes"]],
+            [side["edge"] for side in entry["edges"]],
+            entry.get("points_through") or 0,
+            entry.get("max_distance_through"),
+        )
+        for entry in document["holes"]
+    ]
+    return Fill(
+        document["verdict"].split("; wrote ")[0],
+        filled,
+        bool(document["closed"]),
+        bool(document["valid"]),
+        int(document["free_edges"]),
+        document["exit_code"] == 0,
+        document,
+    )
+
+
+def summary(report):
+    """What came of a fill that is all that was asked for."""
+    lines = [report.verdict]
+    for hole in report.holes:
+        if hole.points and hole.distance is not None:
+            lines.append(
+                translate("Hole {} passes {} points within {:.2g} mm.").format(
+                    hole.id, hole.points, hole.distance
+                )
+            )
+    return "\n".join(lines)
+
+
+def shortfall(report):
+    """Why a fill is not all that was asked for, hole by hole."""
+    lines = [summary(report)]
+    for hole in report.holes:
+        if hole.status == "refused":
+            edges = ", ".join(f"Edge{edge}" for edge in hole.edges)
+            at = f" ({edges})" if edges else ""
+            lines.append(translate("Hole {}{} was refused: {}").format(hole.id, at, hole.reason))
+        elif hole.ok is False:
+            lines += [
+                translate("Hole {}: Edge{} has a gap of {:.3g} mm and an angle of {:.3g}°.").format(
+                    hole.id, side.edge, side.gap or 0.0, side.angle or 0.0
+                )
+                for side in hole.sides
+            ]
+    if (report.document.get("sewing") or {}).get("changed"):
+        lines.append(translate("Edge numbers are those after the loose faces were sewn."))
+    return "\n".join(lines)
+
+
+def refusal(report):
+    """The error for a fill that filled nothing; it knows the edges."""
+    edges = [edge for hole in report.holes if hole.status == "refused" for edge in hole.edges]
+    text = shortfall(report)
+    return SutureError(text, edges)
+
+
+def with_edges(report, loops):
+    """The report with the edges of holes that were refused, whose sides the program leaves out."""
+    known = [
+        hole
+        if hole.edges
+        else hole._replace(edges=[e for id in hole.ids for e in loops.get(id, [])])
+        for hole in report.holes
+    ]
+    return report._replace(holes=known)
+
+
+@_checked
+def check(document):
+    """`check`: every edge between two faces, worst first."""
+    profile = document["profile"]
+    limits = Limits(
+        profile["name"],
+        profile["g0_mm"],
+        profile["g1_deg"],
+        profile["g2_percent"],
+        profile["sharp_deg"],
+    )
+    edges = [
+        EdgeCheck(
+            entry["edge"],
+            list(entry["faces"]),
+            entry["class"],
+            bool(entry["near_miss"]),
+            entry["max_gap"],
+            entry["gap_at"],
+            entry["max_angle_deg"],
+            entry["at"],
+            entry["curvature_mismatch"],
+            entry["curvature_at"],
+            entry["length"],
+            entry["samples"] > 0,
+            in_freecads_words(entry["note"]),
+        )
+        for entry in document["edges"]
+    ]
+    edges.sort(key=lambda edge: badness(edge, limits), reverse=True)
+    summary = document["summary"]
+    return Check(
+        document["verdict"],
+        edges,
+        limits,
+        int(summary["near_misses"]),
+        list(summary["free_edges"]),
+        document,
+    )
+
+
+def badness(edge, limits):
+    """Sorts edges: unmeasured, near misses by how far they miss, tangent ones, sharp ones."""
+    if not edge.measured:
+        return (3, 0.0, 0.0)
+    gap = (edge.gap or 0.0) / limits.gap
+    angle = (edge.angle or 0.0) / limits.angle
+    curvature = 100.0 * (edge.curvature or 0.0) / limits.curvature
+    if edge.near_miss:
+        return (2, max(gap, angle if edge.kind != "sharp" else 0.0), curvature)
+    if edge.kind == "sharp":
+        return (0, gap, 0.0)
+    return (1, max(gap, angle), curvature)
+
+
+def worst_point(edge, limits):
+    """Where an edge is at its worst, judged by the limit that it misses most."""
+    ranked = [((edge.gap or 0.0) / limits.gap, edge.gap_at)]
+    if edge.kind != "sharp":
+        ranked.append(((edge.angle or 0.0) / limits.angle, edge.at))
+        ranked.append((100.0 * (edge.curvature or 0.0) / limits.curvature, edge.curvature_at))
+        if max(ratio for ratio, _ in ranked[:2]) > 1.0:
+            ranked = ranked[:2]  # position and tangency come before curvature
+    placed = [(ratio, point) for ratio, point in ranked if point]
+    return max(placed, key=lambda pair: pair[0])[1] if placed else None
+
+
+def check_as_csv(report):
+    """The table of `check` as text for spreadsheets."""
+    out = io.StringIO()
+    writer = csv.writer(out, lineterminator="\n")
+    writer.writerow(
+        "edge face1 face2 class near_miss length_mm gap_mm angle_deg curvature_mismatch x y z".split()
+    )
+    for edge in report.edges:
+        writer.writerow(
+            [f"Edge{edge.edge}", *(f"Face{face}" for face in edge.faces)]
+            + [edge.kind, int(edge.near_miss), edge.length, edge.gap, edge.angle, edge.curvature]
+            + list(worst_point(edge, report.limits) or ("", "", ""))
+        )
+    return out.getvalue()

@@ -1,0 +1,230 @@
+"""Runs inside FreeCAD's window (test_gui.py starts it) and does what a user does there.
+
+A scenario is a generator: it acts, then yields what to wait for. SUTURE_SCENARIO names it (gui_walk.walk),
+SUTURE_OUT is the folder for its pictures and for result.json: {"error": text or null, "said": {}}.
+"""
+
+import importlib
+import json
+import os
+import sys
+import time
+import traceback
+from pathlib import Path
+
+import FreeCAD as App
+import FreeCADGui as Gui
+from PySide import QtCore, QtGui
+
+OUT = Path(os.environ["SUTURE_OUT"])
+ROOT = Path(os.environ["SUTURE_SOURCE_DIR"])
+WINDOW = (1240, 860)
+TICK_MS = 20
+
+
+class Driver:
+    """What scenarios use: looks for widgets, clicks, waits, takes pictures."""
+
+    def __init__(self):
+        self.window = Gui.getMainWindow()
+        self.ticks = 0
+        self.said = {}
+
+    # -- waiting
+
+    def until(self, what, condition, seconds=90):
+        return what, condition, time.monotonic() + seconds
+
+    def pause(self, seconds):
+        end = time.monotonic() + seconds
+        return self.until("a pause", lambda: time.monotonic() >= end, seconds + 30)
+
+    # -- widgets
+
+    def find(self, name, kind=QtGui.QWidget):
+        """The visible widget of a name."""
+        found = [w for w in self.window.findChildren(kind, name) if w.isVisible()]
+        if not found:
+            raise AssertionError(f"no visible widget {name}")
+        return found[-1]
+
+    def there(self, name):
+        return any(w.isVisible() for w in self.window.findChildren(QtGui.QWidget, name))
+
+    def status(self):
+        return self.find("SutureStatus").text()
+
+    def click(self, widget, position=None, modifiers=QtCore.Qt.NoModifier):
+        """Presses and releases the left button over a widget, by default in its middle."""
+        position = position or widget.rect().center()
+        if isinstance(widget, QtGui.QCheckBox):
+            position = QtCore.QPoint(10, widget.height() // 2)  # beside its text nothing happens
+        for kind, buttons in (
+            (QtCore.QEvent.MouseMove, QtCore.Qt.NoButton),
+            (QtCore.QEvent.MouseButtonPress, QtCore.Qt.LeftButton),
+            (QtCore.QEvent.MouseButtonRelease, QtCore.Qt.NoButton),
+        ):
+            button = QtCore.Qt.NoButton if kind == QtCore.QEvent.MouseMove else QtCore.Qt.LeftButton
+            place = QtCore.QPointF(position)
+            outside = QtCore.QPointF(widget.mapToGlobal(position))
+            event = QtGui.QMouseEvent(kind, place, outside, button, buttons, modifiers)
+            QtGui.QApplication.postEvent(widget, event)
+
+    def click_row(self, tree, row, column=0):
+        tree.scrollToItem(row)
+        rectangle = tree.visualItemRect(row)
+        left = tree.header().sectionViewportPosition(column) + 40
+        self.click(tree.viewport(), QtCore.QPoint(left, rectangle.center().y()))
+
+    def tick_row(self, tree, row):
+        """Clicks the box of a row."""
+        option = QtGui.QStyleOptionViewItem()
+        option.rect = tree.visualItemRect(row)
+        option.features |= QtGui.QStyleOptionViewItem.HasCheckIndicator
+        box = tree.style().subElementRect(QtGui.QStyle.SE_ItemViewItemCheckIndicator, option, tree)
+        self.click(tree.viewport(), box.center())
+
+    def press(self, standard_button, within=None):
+        """Presses OK, Cancel or Close of the task panel, or of another window."""
+        for box in (within or self.window).findChildren(QtGui.QDialogButtonBox):
+            button = box.button(standard_button) if box.isVisible() else None
+            if button is not None:
+                self.click(button)
+                return
+        raise AssertionError("no such button")
+
+    def tool(self, command):
+        """Clicks the button of a command in the toolbar."""
+        for button in self.window.findChildren(QtGui.QToolButton):
+            action = button.defaultAction()
+            if button.isVisible() and action is not None and action.objectName() == command:
+                if not button.isEnabled():
+                    raise AssertionError(f"{command} is greyed out")
+                self.click(button)
+                return
+        raise AssertionError(f"no tool button {command}")
+
+    def choose_file(self, path, filter_word, picture=None):
+        """Fills in FreeCAD's file dialog, as with the keyboard, and accepts."""
+        dialog = [
+            w
+            for w in QtGui.QApplication.topLevelWidgets()
+            if isinstance(w, QtGui.QFileDialog) and w.isVisible()
+        ]
+        filters = [text for text in dialog[0].nameFilters() if filter_word in text]
+        dialog[0].selectNameFilter(filters[0])
+        dialog[0].filterSelected.emit(filters[0])
+        line = dialog[0].findChild(QtGui.QLineEdit)
+        line.setText(str(path))
+        if picture:  # of what is filled in, without the list of somebody's files
+            line.setText(Path(path).name)
+            size = dialog[0].size()
+            dialog[0].grab(QtCore.QRect(0, size.height() - 70, size.width(), 70)).save(
+                str(OUT / f"{picture}.png")
+            )
+            line.setText(str(path))
+        QtGui.QApplication.postEvent(
+            line,
+            QtGui.QKeyEvent(QtCore.QEvent.KeyPress, QtCore.Qt.Key_Return, QtCore.Qt.NoModifier),
+        )
+
+    def later(self, action):
+        """Does something that opens a dialog of its own: this function returns before it is closed."""
+        QtCore.QTimer.singleShot(0, action)
+
+    def dialog_open(self):
+        return bool(Gui.Control.activeDialog())
+
+    # -- the 3D view
+
+    def look(self, x, y, z):
+        """Looks from a direction at the whole model."""
+        view = Gui.ActiveDocument.ActiveView
+        view.setAnimationEnabled(False)
+        view.viewIsometric()
+        view.setCameraOrientation(
+            App.Rotation(App.Vector(1, -1, 0), App.Vector(0, 0, 1), App.Vector(x, y, z), "ZYX")
+        )
+        view.fitAll()
+
+    def pick(self, element, point):
+        """Moves to an element near a point of the model until FreeCAD names it, then clicks."""
+        view = Gui.ActiveDocument.ActiveView
+        x0, y0 = view.getPointOnScreen(App.Vector(*point))
+        shown = [w for w in self.window.findChildren(QtGui.QGraphicsView) if w.isVisible()]
+        viewport = shown[-1].viewport()
+        around = sorted(
+            ((dx, dy) for dx in range(-9, 10) for dy in range(-9, 10)),
+            key=lambda d: d[0] ** 2 + d[1] ** 2,
+        )
+        for dx, dy in around:
+            seen = view.getObjectInfo((x0 + dx, y0 + dy))
+            if seen and seen["Component"] == element:
+                # The view counts in the size that it was last drawn in.
+                width, height = view.getSize()
+                x = (x0 + dx) * viewport.width() / width
+                y = viewport.height() - 1 - (y0 + dy) * viewport.height() / height
+                self.click(viewport, QtCore.QPoint(round(x), round(y)))
+                return
+        raise AssertionError(f"{element} is not to be seen")
+
+    def picture(self, name):
+        self.window.statusBar().clearMessage()
+        Gui.updateGui()
+        self.window.screen().grabWindow(self.window.winId()).save(str(OUT / f"{name}.png"))
+
+    def picture_of_all(self, name):
+        """The whole screen, dialogs included."""
+        self.window.screen().grabWindow(0).save(str(OUT / f"{name}.png"))
+
+
+def tidy(driver):
+    """A window as for a picture: no console, a wide panel."""
+    driver.window.setGeometry(0, 0, *WINDOW)
+    for dock in driver.window.findChildren(QtGui.QDockWidget):
+        if dock.objectName() in ("Python console", "Report view"):
+            dock.hide()
+        if dock.objectName() == "Combo View":
+            driver.window.resizeDocks([dock], [440], QtCore.Qt.Horizontal)
+
+
+def finish(driver, error):
+    result = {"error": error, "said": driver.said}
+    (OUT / "result.json").write_text(json.dumps(result, indent=1), encoding="utf-8")
+    sys.stdout.flush()
+    os._exit(1 if error else 0)
+
+
+def main():
+    sys.path.insert(0, str(ROOT / "tests/plugin"))
+    module, function = os.environ["SUTURE_SCENARIO"].split(".")
+    scenario = getattr(importlib.import_module(module), function)
+    driver = Driver()
+    tidy(driver)
+    steps = scenario(driver)
+    waiting = [None]
+
+    def advance():
+        driver.ticks += 1
+        try:
+            if waiting[0] is not None:
+                what, condition, deadline = waiting[0]
+                if not condition():
+                    if time.monotonic() > deadline:
+                        driver.picture("failed")
+                        raise AssertionError(f"waited in vain for {what}")
+                    return
+            waiting[0] = next(steps)
+        except StopIteration:
+            finish(driver, None)
+        except BaseException:
+            finish(driver, traceback.format_exc())
+
+    global timer
+    timer = QtCore.QTimer()
+    timer.timeout.connect(advance)
+    timer.start(TICK_MS)
+
+
+timer = None
+QtCore.QTimer.singleShot(1000, main)

@@ -1,0 +1,99 @@
+"""A user's whole way, with the pictures of docs/freecad.md."""
+
+
+import FreeCAD as App
+import FreeCADGui as Gui
+from gui_common import CLOSE, OK, OUT, ROOT
+from PySide import QtGui
+
+
+def walk(driver):
+    """The whole way: open, find, fill with preview, OK, check, export. Takes the pictures of docs."""
+    Gui.activateWorkbench("SutureWorkbench")
+    driver.later(lambda: Gui.runCommand("Std_Open", 0))
+    yield driver.pause(0.7)
+    driver.choose_file(ROOT / "docs/examples/suitcase_corner.step", "STEP with colors")
+    yield driver.until("the model", lambda: App.ActiveDocument and App.ActiveDocument.Objects)
+    document, obj = App.ActiveDocument, App.ActiveDocument.Objects[-1]
+    obj.Label = "suitcase corner"
+    driver.look(1.1, 0.9, 0.8)
+    yield driver.pause(1.0)
+    driver.picture("1_open")
+
+    driver.tool("Suture_FindHoles")
+    yield driver.until(
+        "the holes",
+        lambda: driver.there("SutureHoles") and driver.find("SutureFillTicked").isEnabled(),
+    )
+    tree = driver.find("SutureHoles", QtGui.QTreeWidget)
+    row = tree.topLevelItem(0).child(0)
+    driver.said["row"] = [row.text(column) for column in range(5)]
+    driver.click_row(tree, row, 1)
+    yield driver.until("the edges", lambda: bool(Gui.Selection.getSelectionEx()))
+    driver.said["selected"] = list(Gui.Selection.getSelectionEx()[0].SubElementNames)
+    yield driver.pause(0.5)
+    driver.picture("2_holes")
+
+    driver.click(driver.find("SutureFillTicked"))
+    yield driver.until("the fill panel", lambda: driver.there("SutureMethod"))
+    method = driver.find("SutureMethod", QtGui.QComboBox)
+    method.setCurrentText("mvs")
+    yield driver.until("the preview", lambda: "within" in driver.status())
+    Gui.Selection.clearSelection()
+    yield driver.pause(0.5)
+    driver.said["preview"] = driver.status()
+    driver.said["objects_before"] = len(document.Objects)
+    driver.picture("3_preview")
+
+    driver.press(OK)
+    yield driver.until("the panel to close", lambda: not driver.dialog_open())
+    filled = document.getObject("Filled")
+    driver.said["solid"] = filled.Shape.ShapeType
+    driver.said["valid"] = filled.Shape.isValid()
+    driver.said["undo"] = document.UndoCount
+    driver.look(1.1, 0.9, 0.8)
+    yield driver.pause(0.5)
+    driver.picture("4_filled")
+
+    Gui.Selection.addSelection(filled)
+    driver.tool("Suture_Check")
+    yield driver.until(
+        "the check", lambda: driver.there("SutureEdges") and "pass" in driver.status()
+    )
+    driver.said["check"] = driver.status()
+    table = driver.find("SutureEdges", QtGui.QTreeWidget)
+    driver.said["rows"] = table.topLevelItemCount()
+    yield driver.pause(0.5)
+    driver.picture("5_check")
+    driver.click_row(table, table.topLevelItem(0), 1)
+    yield driver.until("the edge", lambda: bool(Gui.Selection.getSelectionEx()))
+    driver.click(driver.find("SutureCombsBox"))
+    yield driver.pause(0.7)
+    driver.picture("6_combs")
+    driver.click(driver.find("SutureCombsBox"))
+    yield driver.pause(0.3)
+    driver.click(driver.find("SutureZebraBox"))
+    yield driver.pause(0.5)
+    driver.said["zebra"] = driver.find("SutureZebraBox").isChecked()
+    driver.look(1.1, 0.9, 0.8)
+    yield driver.pause(0.7)
+    driver.picture("7_zebra")
+    driver.press(CLOSE)
+    yield driver.until("the panel to close", lambda: not driver.dialog_open())
+
+    Gui.Selection.clearSelection()
+    Gui.Selection.addSelection(filled)
+    yield from export(driver, OUT / "filled.step", "STEP with holes filled", "8_export")
+    Gui.Selection.clearSelection()
+    Gui.Selection.addSelection(obj)
+    yield from export(driver, OUT / "exported.step", "STEP with holes filled")
+    yield from export(driver, OUT / "exported.iges", "IGES with holes filled")
+
+
+def export(driver, path, kind, picture=None):
+    """File > Export of what is selected, through FreeCAD's own dialog."""
+    driver.later(lambda: Gui.runCommand("Std_Export", 0))
+    yield driver.pause(0.7)
+    driver.choose_file(path, kind, picture)
+    yield driver.until("the file", path.exists)
+    yield driver.pause(0.3)

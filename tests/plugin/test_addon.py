@@ -1,0 +1,112 @@
+"""The words, the fingerprints, and the repository as an addon."""
+
+import json
+import os
+import subprocess
+import tempfile
+import unittest
+from pathlib import Path
+
+from headless import CORNER, EXAMPLES, ROOT, Case, example  # first: it makes FreeCAD importable
+
+import FreeCAD as App  # noqa: E402
+import Part  # noqa: E402
+from suture_workbench import exchange  # noqa: E402
+from suture_workbench.errors import failure, in_freecads_words  # noqa: E402
+from suture_workbench.options import FillOptions  # noqa: E402
+
+
+class Words(Case):
+    def test_numbers_are_written_as_freecad_does(self):
+        self.assertEqual(
+            in_freecads_words("edge 9 (face 3) and edges 12, 13 and 14"),
+            "Edge9 (Face3) and Edge12, Edge13 and Edge14",
+        )
+        self.assertEqual(failure("edge 9 of faces 3 and 4, edge 9, edge 2").edges, (9, 2))
+
+    def test_a_fingerprint_changes_with_the_shape_alone(self):
+        shape = example()
+        with tempfile.TemporaryDirectory() as folder:
+            path = str(Path(folder) / "a.brep")
+            shape.exportBrep(path)
+            again = Part.Shape()
+            again.importBrep(path)
+        self.assertEqual(exchange.fingerprint(shape), exchange.fingerprint(again))
+        moved = shape.translated(App.Vector(0, 0, 1e-3))
+        self.assertNotEqual(exchange.fingerprint(shape), exchange.fingerprint(moved))
+        other = example()
+        other.reverse()
+        self.assertNotEqual(exchange.fingerprint(shape), exchange.fingerprint(other))
+
+    def test_faces_are_traced_back_or_not_at_all(self):
+        self.assertEqual(exchange.face_origins([3], 3, 4), [0, 1, None, 2])
+        self.assertIsNone(exchange.face_origins([3], 3, 5))
+
+    def test_options_that_do_not_exist_are_refused(self):
+        self.assertRaises(TypeError, FillOptions, colour="red")
+
+
+class Addon(Case):
+    def run_freecadcmd(self, script):
+        """Runs a script in FreeCADCmd with the repository linked into Mod. Result   what it wrote"""
+        with tempfile.TemporaryDirectory(prefix="suture-home-") as folder:
+            folder = Path(folder)
+            (folder / "Mod").mkdir()
+            (folder / "Mod" / "AnyName").symlink_to(ROOT)
+            out, file = folder / "out.json", folder / "script.py"
+            file.write_text(
+                "import json, sys, traceback\n"
+                "def said(value):\n"
+                f"    open({str(out)!r}, 'w').write(json.dumps(value))\n"
+                "try:\n"
+                + "".join(f"    {line}\n" for line in script.splitlines())
+                + "except Exception:\n    traceback.print_exc()\n    sys.exit(1)\nsys.exit(0)\n"
+            )
+            done = subprocess.run(
+                ["freecadcmd", str(file)],
+                env=os.environ | {"FREECAD_USER_HOME": str(folder)},
+                stdin=subprocess.DEVNULL,
+                capture_output=True,
+                text=True,
+                timeout=120,
+                check=False,
+            )
+            self.assertEqual(done.returncode, 0, done.stderr)
+            return json.loads(out.read_text(encoding="utf-8"))
+
+    def test_the_repository_linked_into_mod_is_an_addon(self):
+        types = self.run_freecadcmd(
+            "import FreeCAD, suture_workbench\n" "said(FreeCAD.getExportType())"
+        )
+        self.assertIn("suture_workbench.export_step", json.dumps(types))
+        self.assertIn("suture_workbench.export_iges", json.dumps(types))
+
+    def test_every_command_works_in_freecadcmd(self):
+        example_file = str(EXAMPLES / "suitcase_corner.step")
+        said = self.run_freecadcmd(
+            "import FreeCAD, Import\n"
+            "from suture_workbench import api\n"
+            "d = FreeCAD.newDocument()\n"
+            f"Import.insert({example_file!r}, d.Name)\n"
+            "base = d.Objects[-1]\n"
+            "hole = api.find_holes(base).report.holes[0]\n"
+            "filled = api.fill(base, edges=hole.edges[:1], method='mvs')\n"
+            "said([hole.edges, filled.Shape.ShapeType, api.check(filled).near_misses])"
+        )
+        self.assertEqual(said, [CORNER, "Solid", 0])
+
+    def test_the_manifest_names_what_is_there(self):
+        meta = App.Metadata(str(ROOT / "package.xml"))
+        workbench = meta.Content["workbench"][0]
+        folder = ROOT / workbench.Subdirectory
+        self.assertTrue((folder / "InitGui.py").is_file())
+        self.assertIn(
+            f"class {workbench.Classname}", (folder / "InitGui.py").read_text(encoding="utf-8")
+        )
+        self.assertTrue((folder / workbench.Icon).is_file())
+        self.assertTrue((ROOT / meta.Icon).is_file())
+        self.assertTrue(meta.supportsCurrentFreeCAD())
+
+
+if __name__ == "__main__":
+    unittest.main()

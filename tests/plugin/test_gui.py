@@ -1,0 +1,197 @@
+"""Drives FreeCAD's window on a screen of its own (Xvfb): what a user does, and what he sees.
+
+The scenarios are in gui_walk.py, gui_slow.py and gui_cases.py, their pictures go to SUTURE_PICTURES or the build folder.
+"""
+
+import json
+import os
+import shutil
+import signal
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+HERE = Path(__file__).resolve().parent
+ROOT = Path(os.environ["SUTURE_SOURCE_DIR"])
+BUILD = Path(os.environ["SUTURE_BINARY_DIR"])
+PROGRAM = os.environ["SUTURE_PROGRAM"]
+BAD = str(HERE / "bad_suture.py")
+SCREEN = "-screen 0 1280x900x24 -dpi 96 +extension GLX"
+SECONDS = 240
+TICKS = 10  # a second at least, while something runs
+STOPPED = 2.0  # seconds in which a run has to end with all its processes
+
+# What makes FreeCAD start without its start page (a browser), splash screen and network.
+USER_CFG = """<?xml version="1.0" encoding="UTF-8"?>
+<FCParameters><FCParamGroup Name="Root"><FCParamGroup Name="BaseApp"><FCParamGroup Name="Preferences">
+<FCParamGroup Name="General"><FCText Name="AutoloadModule">PartWorkbench</FCText>
+<FCText Name="Language">LANGUAGE</FCText><FCBool Name="ShowSplasher" Value="0"/></FCParamGroup>
+<FCParamGroup Name="Addons"><FCBool Name="AutoCheck" Value="0"/></FCParamGroup>
+<FCParamGroup Name="Mod"><FCParamGroup Name="Start"><FCBool Name="ShowOnStartup" Value="0"/></FCParamGroup>
+</FCParamGroup></FCParamGroup></FCParamGroup></FCParamGroup></FCParameters>
+"""
+
+
+def home_with_addon(folder, language):
+    """A home for FreeCAD in which the repository is linked as an addon, under another name."""
+    (folder / "Mod").mkdir(parents=True)
+    (folder / "Mod" / "SutureByLink").symlink_to(ROOT)
+    text = USER_CFG.replace("LANGUAGE", language)
+    (folder / "user.cfg").write_text(text, encoding="utf-8")
+    return folder
+
+
+def carry_out(scenario, language="English", **environment):
+    """Runs a scenario. Result   what it said, and the folder with its pictures"""
+    out = (
+        Path(os.environ.get("SUTURE_PICTURES") or BUILD / "tests/plugin/pictures")
+        / scenario.split(".")[1]
+    )
+    shutil.rmtree(out, ignore_errors=True)
+    out.mkdir(parents=True)
+    with tempfile.TemporaryDirectory(prefix="suture-home-") as folder:
+        command = ["xvfb-run", "-a", "-s", SCREEN, "freecad", str(HERE / "gui_driver.py")]
+        process = subprocess.Popen(
+            command,
+            env=os.environ
+            | {
+                "FREECAD_USER_HOME": str(home_with_addon(Path(folder) / "home", language)),
+                "SUTURE_SCENARIO": scenario,
+                "SUTURE_OUT": str(out),
+                "SUTURE_EXE": PROGRAM,
+                "LIBGL_ALWAYS_SOFTWARE": "1",
+                "QT_QPA_PLATFORM": "xcb",
+                "LC_ALL": "C.UTF-8",
+            }
+            | environment,
+            stdin=subprocess.DEVNULL,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.STDOUT,
+            text=True,
+            start_new_session=True,
+        )
+        try:
+            said, _ = process.communicate(timeout=SECONDS)
+        except subprocess.TimeoutExpired:
+            os.killpg(process.pid, signal.SIGKILL)
+            said, _ = process.communicate()
+    (out / "freecad.log").write_text(said, encoding="utf-8")
+    result = out / "result.json"
+    if not result.exists():
+        raise AssertionError(f"FreeCAD ended before the scenario did:\n{said[-3000:]}")
+    answer = json.loads(result.read_text(encoding="utf-8"))
+    if answer["error"]:
+        raise AssertionError(answer["error"])
+    return answer["said"], out
+
+
+@unittest.skipUnless(shutil.which("xvfb-run"), "xvfb-run is not installed")
+@unittest.skipUnless(shutil.which("freecad"), "FreeCAD is not installed")
+class Window(unittest.TestCase):
+    def test_a_user_closes_a_suitcase_corner_from_step_to_step(self):
+        said, out = carry_out("gui_walk.walk")
+        self.assertEqual(said["row"], ["Hole 1", "hole", "3", "13.86 mm", "smooth at every corner"])
+        self.assertEqual(sorted(said["selected"]), ["Edge19", "Edge21", "Edge9"])
+        self.assertIn("closed, valid", said["preview"])
+        self.assertEqual(said["objects_before"], 1, "the preview must not touch the document")
+        self.assertEqual((said["solid"], said["valid"], said["undo"]), ("Solid", True, 1))
+        self.assertEqual(said["rows"], 21)
+        self.assertIn("all of 21 edges pass", said["check"])
+        for name in ("filled.step", "exported.step", "exported.iges"):
+            done = subprocess.run(
+                [PROGRAM, "check", out / name, "--json"], capture_output=True, text=True, check=True
+            )
+            report = json.loads(done.stdout)
+            self.assertTrue(report["shape"]["closed"] and report["shape"]["valid"], name)
+            self.assertEqual(report["shape"]["solids"], 1)
+            self.assertLess(report["summary"]["max_angle_deg"], 0.01, name)
+        for name in ("1_open", "2_holes", "3_preview", "4_filled", "5_check", "6_combs", "7_zebra"):
+            self.assertGreater((out / f"{name}.png").stat().st_size, 10_000, name)
+
+    def assert_alive(self, said):
+        # Where the machine is busy with other things, half of what the idle window reaches.
+        self.assertGreaterEqual(said["ticks_per_second"], min(TICKS, said["ticks_idle"] / 2))
+
+    def test_the_panel_lives_while_a_slow_fill_runs_and_stops_it(self):
+        said, _ = carry_out("gui_slow.slow", SUTURE_EXE=BAD, SUTURE_BEHAVIOUR="slow")
+        self.assert_alive(said)
+        self.assertGreaterEqual(said["processes_while_running"], 2)
+        self.assertLess(said["seconds_to_stop"], STOPPED)
+        self.assertEqual(said["objects"], 1)
+
+    def test_ok_waits_in_a_dialog_that_lives_and_stops(self):
+        said, _ = carry_out("gui_slow.slow_ok", SUTURE_EXE=BAD, SUTURE_BEHAVIOUR="slow")
+        self.assert_alive(said)
+        self.assertLess(said["seconds_to_stop"], STOPPED)
+        self.assertEqual((said["left"], said["panel_open"], said["objects"]), (0, True, 1))
+
+    def test_failures_are_sentences_and_select_their_edges(self):
+        said, _ = carry_out("gui_cases.failures")
+        self.assertIn("Face3 (cylinder) and Face7 (cylinder)", said["refusal"])
+        self.assertEqual(sorted(said["selected"]), ["Edge19", "Edge21", "Edge9"])
+        self.assertIn("Preferences > Suture", said["missing"])
+        self.assertIn("/no/suture", said["box"])
+        self.assertEqual(said["objects"], 1)
+
+    def test_a_fill_from_a_picked_edge_is_edited_undone_and_redone(self):
+        said, _ = carry_out("gui_cases.edit")
+        self.assertEqual(said["picked"], ["Edge9"])
+        self.assertEqual(said["edges"], ["Edge9"])
+        self.assertTrue(said["hidden"] and said["visible"])
+        self.assertEqual((said["sides"], said["objects"]), (["Edge9"], 2))
+        self.assertIn(said["sides_undone"], (True, []))
+        self.assertEqual((said["objects_undone"], said["objects_redone"]), (1, 2))
+        self.assertTrue(said["base_back"])
+
+    def test_preferences_are_kept_and_files_converted_on_disk(self):
+        said, out = carry_out("gui_cases.files")
+        self.assertIn(PROGRAM, said["found"])
+        self.assertIn("/no/suture", said["not_found"])
+        self.assertEqual((said["method"], said["program"]), ("mvs", PROGRAM))
+        self.assertIn("2 of 3 files written", said["converted"])
+        self.assertIn("broken.step:", said["converted"])
+        self.assertEqual(said["documents"], 0)
+        for name in ("suitcase_corner_filled.step", "box_without_lid_filled.step"):
+            done = subprocess.run(
+                [PROGRAM, "check", out / name, "--json"], capture_output=True, text=True, check=True
+            )
+            self.assertTrue(json.loads(done.stdout)["shape"]["closed"], name)
+
+    def test_colours_and_containers_are_kept(self):
+        said, _ = carry_out("gui_cases.containers")
+        self.assertEqual(said["parent"], "Part")
+        self.assertEqual(said["colors"], [*said["wanted"], said["plain"]])
+
+    def test_a_slow_recompute_can_be_stopped(self):
+        said, _ = carry_out("gui_slow.recompute")
+        self.assert_alive(said)
+        self.assertLess(said["seconds_to_stop"], STOPPED)
+        self.assertIn("Invalid", said["state"])
+        self.assertTrue(said["kept"])
+
+    def test_closing_the_document_ends_its_run(self):
+        said, _ = carry_out("gui_slow.closing", SUTURE_EXE=BAD, SUTURE_BEHAVIOUR="slow")
+        self.assertGreaterEqual(said["processes"], 2)
+        self.assertEqual(said["row"], "Hole 1")
+
+    def test_a_face_goes_through_a_point_that_was_added_and_follows_it(self):
+        said, _ = carry_out("gui_cases.through")
+        self.assertLess(said["distance"], 0.002)
+        self.assertLess(said["followed"], 0.002)
+
+    def test_a_methods_own_option_is_shown_and_used(self):
+        said, _ = carry_out("gui_cases.own_option", SUTURE_EXE=BAD, SUTURE_BEHAVIOUR="options")
+        self.assertEqual((said["before"], said["tip"]), (False, "how much it bends"))
+        self.assertEqual(said["kept"], ["bend=0.5"])
+
+    def test_it_speaks_german_where_freecad_does(self):
+        said, _ = carry_out("gui_cases.german", language="German")
+        self.assertEqual(said["button"], "Löcher finden…")
+        self.assertEqual(said["row"], ["Loch 1", "Loch", "3"])
+        self.assertEqual(said["gap"], "0.001 mm")
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv)

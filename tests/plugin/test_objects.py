@@ -1,0 +1,130 @@
+"""The parametric object: placements, containers, saving, undo."""
+
+import os
+import tempfile
+import unittest
+from pathlib import Path
+
+from headless import CORNER, PROGRAM, TURNED, Case, example  # first: it makes FreeCAD importable
+
+import FreeCAD as App  # noqa: E402
+import Part  # noqa: E402
+from suture_workbench import api  # noqa: E402
+
+
+class Objects(Case):
+    def test_a_filled_shape_follows_its_base(self):
+        base = self.add(example())
+        filled = api.fill(base, method="mvs")
+        volume = filled.Shape.Volume
+        larger = example()
+        larger.scale(2)
+        base.Shape = larger
+        self.document.recompute()
+        self.assertAlmostEqual(filled.Shape.Volume, 8 * volume, delta=0.01 * volume)
+        self.assertTrue(filled.Closed)
+
+    def test_it_is_saved_opened_and_recomputed(self):
+        filled = api.fill(self.add(example()))
+        key, volume = filled.InputKey, filled.Shape.Volume
+        with tempfile.TemporaryDirectory() as folder:
+            path = str(Path(folder) / "a.FCStd")
+            self.document.saveAs(path)
+            App.closeDocument(self.document.Name)
+            again = App.openDocument(path).getObject("Filled")
+            again.touch()
+            self.misbehave("crash")  # nothing to compute: nothing to run
+            again.Document.recompute()
+            self.assertEqual(again.State, ["Up-to-date"])
+            self.assertEqual((again.InputKey, again.Shape.Volume), (key, volume))
+            os.environ["SUTURE_EXE"] = PROGRAM
+            again.Method = "mvs"
+            again.Document.recompute()
+            self.assertNotEqual(again.InputKey, key)
+            self.assertTrue(again.Closed)
+
+    def test_moving_the_base_moves_the_result_without_a_run(self):
+        base = self.add(example())
+        filled = api.fill(base)
+        self.misbehave("crash")
+        base.Placement = TURNED
+        self.document.recompute()
+        self.assertEqual(filled.State, ["Up-to-date"])
+        self.assert_same_face(base.Shape.Faces[2], filled.Shape.Faces[2])
+
+    def test_placed_shapes_have_the_same_numbers(self):
+        base = self.add(example())
+        base.Placement = TURNED
+        self.assertEqual(api.find_holes(base).report.holes[0].edges, CORNER)
+        filled = api.fill(base, edges=[19], method="mvs")
+        self.assert_same_face(base.Shape.Faces[0], filled.Shape.Faces[0])
+        self.assertTrue(filled.Closed)
+
+    def test_the_result_stands_in_the_part_of_its_base(self):
+        part = self.document.addObject("App::Part", "Part")
+        part.Placement = TURNED
+        base = self.add(example())
+        part.addObject(base)
+        base.Placement = App.Placement(App.Vector(1, 2, 3), App.Rotation(0, 0, 90))
+        filled = api.fill(base)
+        self.assertEqual(filled.getParentGeoFeatureGroup(), part)
+        self.assert_same_face(base.Shape.Faces[4], filled.Shape.Faces[4])
+
+    def test_a_body_is_filled_beside_it(self):
+        body = self.document.addObject("PartDesign::Body", "Body")
+        body.Placement = TURNED
+        inside = self.document.addObject("PartDesign::Feature", "Imported")
+        body.addObject(inside)
+        inside.Shape = example()
+        body.Tip = inside
+        self.document.recompute()
+        filled = api.fill(inside)
+        self.assertEqual(filled.Base[0], body)
+        self.assertIsNone(filled.getParentGeoFeatureGroup())
+        self.assert_same_face(Part.getShape(body).Faces[4], filled.Shape.Faces[4])
+        self.assertTrue(filled.Closed)
+
+    def test_a_feature_inside_a_body_is_filled_beside_the_body(self):
+        body = self.document.addObject("PartDesign::Body", "Body")
+        body.Placement = TURNED
+        inside, tip = (self.document.addObject("PartDesign::Feature", name) for name in "AB")
+        for feature, shape in ((inside, example()), (tip, Part.makeBox(1, 1, 1))):
+            body.addObject(feature)
+            feature.Shape = shape
+        body.Tip = tip
+        filled = api.fill(inside)
+        self.assertIsNone(filled.getParentGeoFeatureGroup())
+        there = inside.Shape.Faces[4].CenterOfMass
+        self.assertLess((filled.Shape.Faces[4].CenterOfMass - TURNED.multVec(there)).Length, 1e-7)
+
+    def test_a_link_is_filled_where_it_stands(self):
+        link = self.document.addObject("App::Link", "Link")
+        link.LinkedObject = self.add(example())
+        link.Placement = TURNED
+        self.document.recompute()
+        filled = api.fill(link)
+        self.assert_same_face(Part.getShape(link).Faces[4], filled.Shape.Faces[4])
+
+    def test_the_result_is_one_step_of_undo(self):
+        self.document.UndoMode = 1
+        base = self.add(example())
+        self.document.clearUndos()
+        api.fill(base)
+        self.assertEqual(self.document.UndoCount, 1)
+        self.document.undo()
+        self.assertEqual(self.document.Objects, [base])
+
+    def test_loose_faces_are_sewn_and_edges_still_found(self):
+        base = self.add(Part.makeCompound([face.copy() for face in example().Faces]))
+        found = api.find_holes(base)
+        self.assertTrue(found.report.sewn)
+        (hole,) = found.report.holes
+        for number in hole.edges:
+            sewn, loose = found.shape.Edges[number - 1], base.Shape.Edges[found.edges[number] - 1]
+            self.assertLess((sewn.CenterOfMass - loose.CenterOfMass).Length, 1e-6)
+        filled = api.fill(base, edges=[found.edges[hole.edges[0]]], method="mvs")
+        self.assertEqual((filled.Shape.ShapeType, filled.Closed), ("Solid", True))
+
+
+if __name__ == "__main__":
+    unittest.main()
