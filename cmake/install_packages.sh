@@ -10,7 +10,9 @@ case ${1-} in
     test) kinds='run|test' ;;
     *) echo "usage: $0 run|test" >&2; exit 1 ;;
 esac
-wanted=$(sed -nE "s/^($kinds) +//p" "$here/packages.txt")
+wanted=$(sed -nE "s/^($kinds) +//p" "$here/packages.txt" | while read -r package unless program; do
+    [ -n "$unless" ] && command -v "$program" >/dev/null || echo "$package"
+done)
 
 if [ -n "${SUTURE_NO_INSTALL-}" ]; then
     exit 0

@@ -36,3 +36,7 @@ beside docs/examples/dome_window.step zebra_dome --view 0.3,-0.5,1 --near 0,0,46
 beside docs/examples/bump_window.step zebra_bump --view 0.3,-0.5,1 --near 0,0,22 --size 56 --stripes 50
 beside docs/examples/pipe_elbow.step zebra_elbow --view 0.6,-1,-0.5
 beside "$work/half_round.step" zebra_half_round --view 1,-0.6,0.5 --near 0,0,30 --size 50
+
+# The maps of docs/methods/concentric.md, by a program that the tests build.
+build=${SUTURE_BUILD:-build/release}
+"$build/tests/kernel/core/concentric/suture_concentric_maps" | docs/figures/concentric.py docs/figures

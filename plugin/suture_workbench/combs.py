@@ -64,5 +64,6 @@ def at_edges(shape, numbers):
     return [
         (number, across(shape.Edges[number - 1], face))
         for number in numbers
+        if not shape.Edges[number - 1].Degenerated
         for face in faces_at(shape, number)
     ]

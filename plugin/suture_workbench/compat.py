@@ -63,8 +63,3 @@ def face_colors(view_object):
 def set_face_colors(view_object, colors):
     """DiffuseColor takes nothing but floats; 1.x translates it to ShapeAppearance."""
     view_object.DiffuseColor = [tuple(float(part) for part in color) for color in colors]
-
-
-def version():
-    """FreeCAD's version as a tuple, (0, 20)."""
-    return tuple(int(part) for part in App.Version()[:2])

@@ -7,7 +7,7 @@ import json
 from . import settings
 
 CONTINUITIES = ["auto", "G0", "G1", "G2"]
-PROFILES = ["catia", "vda4955", "occt"]
+PROFILES = ["catia", "vda4955", "alias", "rhino", "occt"]
 
 
 class FillOptions:

@@ -58,6 +58,13 @@ def to_document(obj):
     return frame(obj).multiply(shape_of(obj).Placement)
 
 
+def shown_at(selected):
+    """As to_document, of the very instance that was selected: links show an object several times."""
+    if not selected.path:
+        return to_document(selected.obj)
+    return frame(selected.top).multiply(selected.top.getSubObject(selected.path, retType=3))
+
+
 def home_for_result(obj):
     """The container that a result made from `obj` belongs in: its Part; None for the document.
 

@@ -28,7 +28,14 @@ def candidates():
     yield os.environ.get("SUTURE_EXE")
     yield ADDON / "build" / "release" / "bin" / NAME  # what ./suture has built
     yield ADDON / "bin" / NAME
-    yield shutil.which(NAME)
+    yield _on_path()
+
+
+def _on_path():
+    """FreeCAD puts an addon's folder on the PATH, and in ours `suture` is the script that installs
+    packages and builds the program: nothing to be started unasked."""
+    folders = [folder for folder in os.get_exec_path() if Path(folder).resolve() != ADDON]
+    return shutil.which(NAME, path=os.pathsep.join(folders))
 
 
 def find(chosen=None):

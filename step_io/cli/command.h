@@ -7,11 +7,13 @@
 #include "suture/base/progress.h"
 #include "suture/base/result.h"
 
+#include "report/picture.h"
 #include <nlohmann/json.hpp>
 
 #include <array>
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <memory>
 #include <stop_token>
 #include <string>
@@ -25,11 +27,14 @@ namespace suture::cli {
 
 using Json = nlohmann::ordered_json;
 
+class Run;
+
 /// A part of a report: shown on the terminal, and in full in an HTML report.
 struct Section {
     std::string heading;
     Table table;
     std::vector<std::string> notes;
+    bool of_edges = false;  ///< a page with a 3D view has a better table of the same
 };
 
 /// What a command has to say. The terminal, the JSON document and the HTML report all show it.
@@ -38,6 +43,9 @@ struct Outcome {
     std::string verdict;  ///< one line
     std::vector<Section> sections;
     Json document = Json::object();  ///< without the head that all documents share
+    /// Reports in formats that only this command has, or has its own way for, by extension
+    /// (".csv"): made only if asked for.
+    std::map<std::string, std::function<Result<std::string>(Run&)>> reports;
 };
 
 /// What a command's run needs of the program around it.
@@ -70,6 +78,9 @@ struct CommonOptions {
     ProgressStyle progress = ProgressStyle::Auto;
     double read_timeout = 300.0;  ///< seconds
     std::vector<std::filesystem::path> reports;
+    std::vector<std::string> report_endings = {".html", ".json"};
+    std::filesystem::path picture;  ///< of the model, drawn from the HTML report
+    report::PictureWish picture_wish;
 };
 
 /// One command of the program. `validate` finds what is wrong with the command line itself, before

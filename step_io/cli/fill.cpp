@@ -1,5 +1,6 @@
 #include "cli/arguments.h"
 #include "cli/convert.h"
+#include "cli/fill_page.h"
 #include "cli/fill_report.h"
 #include "cli/methods.h"
 #include "cli/options.h"
@@ -230,20 +231,24 @@ std::shared_ptr<Command> add_fill(CLI::App& app) {
     add_sewing(*command, options->settings.load);
     add_mesh(sub, options->mesh);
     add_reports(*command);
+    add_picture(*command);
     sub.add_flag("--force", options->force, "Allow OUT to be IN itself");
     Command* self = command.get();
     command->validate = [options, self] { return validate_fill(*self, *options); };
-    command->run = [options](Run& run) -> Result<Outcome> {
+    command->run = [options, self](Run& run) -> Result<Outcome> {
         std::optional<tbb::global_control> threads;
         if (options->jobs) {
             threads.emplace(tbb::global_control::max_allowed_parallelism,
                             static_cast<std::size_t>(*options->jobs));
         }
-        const Result<FillSummary> summary = fill_model(run, options->settings);
-        if (!summary) {
-            return tl::unexpected(summary.error());
+        Result<FillSummary> filled = fill_model(run, options->settings);
+        if (!filled) {
+            return tl::unexpected(filled.error());
         }
-        return report_fill(*summary, options->settings);
+        const auto summary = std::make_shared<const FillSummary>(std::move(*filled));
+        Outcome outcome = report_fill(*summary, options->settings);
+        add_fill_page(*self, summary, options->settings.request.tolerance, outcome);
+        return outcome;
     };
     return command;
 }

@@ -280,7 +280,10 @@ class FillJob {
             for (HoleReport& hole : filled->outcome.holes) {
                 summary_.holes.push_back(std::move(hole));
             }
+            summary_.new_faces.insert(summary_.new_faces.end(), filled->outcome.new_faces.begin(),
+                                      filled->outcome.new_faces.end());
         }
+        summary_.before = model_.whole;
         for (const HoleReport& hole : summary_.holes) {
             summary_.sides.push_back(sides_of(hole));
         }

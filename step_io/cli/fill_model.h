@@ -50,6 +50,8 @@ struct FillSummary {
     SewingFacts sewing;
     io::ModelFile file;
     FillSeconds seconds;
+    TopoDS_Shape before;                 ///< the model as it was, loose faces sewn
+    std::vector<TopoDS_Face> new_faces;  ///< of every part, in its own place
 };
 
 /// Reads a model, fills its holes, writes it, reads it again, and measures.

@@ -60,17 +60,43 @@ std::string text_of(const Outcome& outcome) {
     return text + outcome.verdict + '\n';
 }
 
-Result<void> write_reports(const Command& command, const Outcome& outcome) {
+Result<std::string> report_text(const Command& command, Run& run, const Outcome& outcome,
+                                const std::string& extension) {
+    const auto own = outcome.reports.find(extension);
+    if (own != outcome.reports.end()) {
+        return own->second(run);
+    }
+    return extension == ".html" ? html_report(command, outcome)
+                                : to_text(whole_document(command, outcome));
+}
+
+Result<void> write_reports(const Command& command, Run& run, const Outcome& outcome) {
     for (const auto& report : command.common.reports) {
-        const std::string text = report.extension() == ".html"
-                                     ? html_report(command, outcome)
-                                     : to_text(whole_document(command, outcome));
-        const Result<void> written = write_text_file(report, text);
+        const Result<std::string> text =
+            report_text(command, run, outcome, report.extension().string());
+        if (!text) {
+            return tl::unexpected(text.error());
+        }
+        const Result<void> written = write_text_file(report, *text);
         if (!written) {
             return written;
         }
     }
     return {};
+}
+
+Result<void> write_picture(const Command& command, Run& run, const Outcome& outcome) {
+    if (command.common.picture.empty()) {
+        return {};
+    }
+    constexpr std::chrono::seconds kLimit(120);
+    const Result<std::string> page = report_text(command, run, outcome, ".html");
+    if (!page) {
+        return tl::unexpected(page.error());
+    }
+    const Progress progress = run.stage(Stage::Checking, "drawing the picture", 0.95, 1.0);
+    return report::take_picture(*page, command.common.picture_wish, command.common.picture, kLimit,
+                                progress);
 }
 
 /// One line on stderr, and with --json the document that says the same.
@@ -99,9 +125,13 @@ Result<Outcome> run_command(Command& command, Run& run) {
             if (!result) {
                 return result;
             }
-            const Result<void> written = write_reports(command, *result);
+            const Result<void> written = write_reports(command, run, *result);
             if (!written) {
                 return tl::unexpected(written.error());
+            }
+            const Result<void> drawn = write_picture(command, run, *result);
+            if (!drawn) {
+                return tl::unexpected(drawn.error());
             }
             return result;
         });

@@ -2,6 +2,10 @@
 
 #include "cli/arguments.h"
 
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <regex>
 #include <sstream>
 
 namespace suture::cli {
@@ -79,13 +83,81 @@ void add_input(Command& command) {
 
 void add_reports(Command& command) {
     command.app
-        ->add_option("--report", command.common.reports,
-                     "Write the report to a file too: R.html to look at, R.json for programs; can "
-                     "be given twice")
+        ->add_option(
+            "--report", command.common.reports,
+            fmt::format("Write the report to a file too, as its ending says: {}; can be given "
+                        "more than once",
+                        fmt::join(command.common.report_endings, ", ")))
         ->option_text("FILE")
         ->expected(1)
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
 }
+
+void add_picture(Command& command) {
+    CommonOptions& common = command.common;
+    report::PictureWish& wish = common.picture_wish;
+    command.app
+        ->add_option("--picture", common.picture,
+                     "Write a picture of the model: its edges by class, and the faces as --shading "
+                     "says (drawn by a headless browser)")
+        ->option_text("P.png");
+    command.app
+        ->add_option("--view", wish.view,
+                     "From where: iso, front, back, left, right, top, bottom, worst, edge12, or a "
+                     "direction x,y,z")
+        ->option_text("VIEW");
+    command.app
+        ->add_option("--shading", wish.shading, "shaded, zebra (stripes) or curvature (a map)")
+        ->check(CLI::IsMember({"shaded", "zebra", "curvature"}))
+        ->option_text("KIND");
+    command.app
+        ->add_option_function<std::string>(
+            "--picture-size",
+            [&wish](const std::string& text) {
+                char x = 0;
+                std::istringstream stream(text);
+                constexpr int kMost = 8192;
+                if (!(stream >> wish.width >> x >> wish.height) || x != 'x' || !stream.eof() ||
+                    wish.width < 16 || wish.height < 16 || wish.width > kMost ||
+                    wish.height > kMost) {
+                    throw CLI::ValidationError("--picture-size",
+                                               "give it as 1600x1000, not " + text);
+                }
+            },
+            "Pixels of the picture (default 1600x1000)")
+        ->option_text("WxH");
+    command.app->add_flag_callback(
+        "--picture-without-edges", [&wish] { wish.edges = false; }, "Draw the faces alone");
+}
+
+namespace {
+
+Result<void> validate_picture(const Command& command) {
+    const CommonOptions& common = command.common;
+    if (common.picture.empty()) {
+        return {};
+    }
+    if (common.picture.extension() != ".png") {
+        return fail(ErrorCode::Usage, "--picture {}: give it the ending .png",
+                    common.picture.string());
+    }
+    static const std::regex known(
+        "iso|front|back|left|right|top|bottom|worst|edge[0-9]+|"
+        "-?[0-9.]+,-?[0-9.]+,-?[0-9.]+");
+    if (!std::regex_match(common.picture_wish.view, known)) {
+        return fail(ErrorCode::Usage,
+                    "--view {}: it is iso, front, back, left, right, top, bottom, worst, edge and "
+                    "a number, or a direction x,y,z",
+                    common.picture_wish.view);
+    }
+    if (report::find_browser().empty()) {
+        return fail(ErrorCode::Usage,
+                    "--picture needs a browser: install chromium, or name one in SUTURE_BROWSER");
+    }
+    return expect_writable("--picture", common.picture, command.input, /*force=*/false);
+}
+
+}  // namespace
 
 void add_sewing(Command& command, LoadOptions& options) {
     command.app
@@ -108,11 +180,15 @@ Result<void> validate_common(const Command& command) {
     if (!positive) {
         return positive;
     }
+    if (Result<void> picture = validate_picture(command); !picture) {
+        return picture;
+    }
     for (const auto& report : command.common.reports) {
         const auto extension = report.extension();
-        if (extension != ".json" && extension != ".html") {
-            return fail(ErrorCode::Usage, "--report {}: give it the ending .json or .html",
-                        report.string());
+        const auto& endings = command.common.report_endings;
+        if (std::ranges::find(endings, extension.string()) == endings.end()) {
+            return fail(ErrorCode::Usage, "--report {}: give it one of the endings {}",
+                        report.string(), fmt::join(endings, ", "));
         }
         auto writable = expect_writable("--report", report, command.input, /*force=*/false);
         if (!writable) {

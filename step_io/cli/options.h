@@ -31,6 +31,9 @@ void add_input(Command& command);
 /// --report R.json|R.html
 void add_reports(Command& command);
 
+/// --picture P.png, --view V, --shading S, --picture-size WxH, --no-edges
+void add_picture(Command& command);
+
 /// --sew-tolerance MM and --no-sew
 void add_sewing(Command& command, LoadOptions& options);
 [[nodiscard]] Result<void> validate_sewing(const LoadOptions& options);

@@ -1,5 +1,6 @@
 #include "cli/report_html.h"
 
+#include "report/scene.h"
 #include <fmt/format.h>
 
 namespace suture::cli {
@@ -75,26 +76,37 @@ std::string html_of(const Section& section) {
 
 }  // namespace
 
-std::string html_report(const Command& command, const Outcome& outcome) {
+std::string html_report(const Command& command, const Outcome& outcome, std::string_view scene) {
     const std::string file = escaped(command.input.filename().string());
     const std::string title = fmt::format("suture {}", command.name);
     std::string html = fmt::format(
         "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
         "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
         "<title>{}{}{}</title>\n<style>{}</style>\n</head>\n<body>\n",
-        title, file.empty() ? "" : ": ", file, kStyle);
+        title, file.empty() ? "" : ": ", file,
+        scene.empty() ? kStyle : std::string_view(report::viewer_style()));
     html += fmt::format("<h1>{}</h1>\n<p class=\"file\">{}</p>\n", title,
                         escaped(command.input.string()));
     html += fmt::format("<p class=\"verdict{}\">{}</p>\n",
                         outcome.exit_code == kDone ? "" : " warn", escaped(outcome.verdict));
+    html += "<div id=\"report\">\n";
     for (const Section& section : outcome.sections) {
-        html += html_of(section);
+        if (scene.empty() || !section.of_edges) {
+            html += html_of(section);
+        }
     }
     html += fmt::format(
         "<footer>Suture {}. Lengths in millimetres, angles in degrees. Edge and face numbers are "
-        "those of FreeCAD (Edge1, Face1).</footer>\n</body>\n</html>\n",
+        "those of FreeCAD (Edge1, Face1).</footer>\n</div>\n",
         SUTURE_VERSION);
-    return html;
+    if (!scene.empty()) {
+        html +=
+            "<noscript><p>The 3D view and the table of edges need JavaScript.</p></noscript>\n"
+            "<script type=\"application/json\" id=\"suture-scene\">";
+        html += scene;
+        html += "</script>\n<script>" + report::viewer_script() + "</script>\n";
+    }
+    return html + "</body>\n</html>\n";
 }
 
 }  // namespace suture::cli

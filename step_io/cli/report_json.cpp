@@ -173,14 +173,33 @@ Json json_of(const EdgeContinuity& edge) {
             {"edge_gap", edge.edge_gap},
             {"max_angle_deg", degrees(edge.max_angle)},
             {"mean_angle_deg", degrees(edge.mean_angle)},
+            {"min_angle_deg", degrees(edge.min_angle)},
             {"curvature_mismatch", edge.curvature_mismatch},
             {"curvature_mismatch_sum", edge.curvature_mismatch_sum},
+            {"curvature_difference", edge.curvature_difference},
             {"opposite_concavity", edge.opposite_concavity},
+            {"g3_mismatch_deg", edge.g3_samples > 0 ? Json(degrees(edge.g3_mismatch)) : Json()},
             {"at", json_of(edge.angle_at)},
             {"gap_at", json_of(edge.gap_at)},
             {"curvature_at", json_of(edge.curvature_at)},
+            {"angle_along", edge.angle_along},
+            {"gap_along", edge.gap_along},
+            {"curvature_along", edge.curvature_along},
             {"samples", edge.samples},
             {"note", edge.note}};
+}
+
+Json json_of(const KnotLine& line) {
+    return {{"face", line.face},
+            {"direction", line.is_u ? "u" : "v"},
+            {"knot", line.knot},
+            {"parametric", line.parametric},
+            {"max_gap", line.max_gap},
+            {"max_angle_deg", degrees(line.max_angle)},
+            {"curvature_mismatch", line.curvature_mismatch},
+            {"curvature_mismatch_sum", line.curvature_mismatch_sum},
+            {"at", json_of(line.at)},
+            {"samples", line.samples}};
 }
 
 Json json_of(const Profile& profile) {
@@ -189,6 +208,8 @@ Json json_of(const Profile& profile) {
             {"g0_mm", profile.tolerance.linear},
             {"g1_deg", degrees(profile.tolerance.angular)},
             {"g2_percent", 100.0 * profile.tolerance.curvature},
+            {"g2_by", to_string(profile.curvature_by)},
+            {"g3_deg", degrees(profile.g3)},
             {"sharp_deg", degrees(profile.sharp)}};
 }
 

@@ -3,6 +3,7 @@
 #include "cli/command.h"
 #include "cli/load.h"
 #include "suture/check/continuity.h"
+#include "suture/check/face_knots.h"
 #include "suture/check/validity.h"
 #include "suture/fill_holes.h"
 #include "suture/ribbon/extract.h"
@@ -14,7 +15,7 @@ namespace suture::cli {
 
 /// The version of the JSON documents: it grows when a key changes its meaning or goes away, not
 /// when one is added. docs/json.md describes every key.
-inline constexpr int kSchema = 1;
+inline constexpr int kSchema = 2;
 
 /// What every document begins with.
 [[nodiscard]] Json document_head(const Command& command);
@@ -38,8 +39,9 @@ inline constexpr int kSchema = 1;
 /// One entry of `holes` of fill. sides: how many edges bound it.
 [[nodiscard]] Json json_of(const HoleReport& hole, int sides);
 
-/// One entry of `edges` of check, and its profile.
+/// One entry of `edges` of check, one of `face_knots`, and its profile.
 [[nodiscard]] Json json_of(const EdgeContinuity& edge);
+[[nodiscard]] Json json_of(const KnotLine& line);
 [[nodiscard]] Json json_of(const Profile& profile);
 
 }  // namespace suture::cli

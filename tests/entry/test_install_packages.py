@@ -15,7 +15,7 @@ BASIC = ["dirname", "env", "grep", "readlink", "sed", "sh"]
 
 def listed(kinds):
     text = (SOURCE / "cmake/packages.txt").read_text(encoding="utf-8")
-    return re.findall(rf"^(?:{kinds}) +(\S+)$", text, re.MULTILINE)
+    return re.findall(rf"^(?:{kinds}) +(\S+)(?: unless \S+)?$", text, re.MULTILINE)
 
 
 class InstallPackages(unittest.TestCase):
@@ -52,6 +52,14 @@ class InstallPackages(unittest.TestCase):
             return []
         lines = self.log.read_text(encoding="utf-8").splitlines()
         return [line for line in lines if line.startswith(name)]
+
+    def test_a_package_is_not_wanted_where_its_command_is(self):
+        self.add_debian([name for name in listed("run|test") if name not in ("nodejs", "npm")])
+        self.assertNotEqual(self.run_script("run").stderr, "")
+        self.add("node", "true")
+        self.add("npm", "true")
+        done = self.run_script("run")
+        self.assertEqual((done.returncode, done.stdout, done.stderr), (0, "", ""))
 
     def test_nothing_missing_touches_nothing(self):
         self.add_debian(listed("run|test"))

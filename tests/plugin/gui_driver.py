@@ -94,39 +94,43 @@ class Driver:
         raise AssertionError("no such button")
 
     def tool(self, command):
-        """Clicks the button of a command in the toolbar."""
-        for button in self.window.findChildren(QtGui.QToolButton):
-            action = button.defaultAction()
-            if button.isVisible() and action is not None and action.objectName() == command:
-                if not button.isEnabled():
-                    raise AssertionError(f"{command} is greyed out")
-                self.click(button)
-                return
-        raise AssertionError(f"no tool button {command}")
+        """Clicks the button of a command in the toolbar, as soon as it can be (`yield from` it)."""
+
+        def ready():
+            return [
+                button
+                for button in self.window.findChildren(QtGui.QToolButton)
+                if button.isVisible()
+                and button.isEnabled()
+                and button.defaultAction() is not None
+                and button.defaultAction().objectName() == command
+            ]
+
+        yield self.until(f"the button {command}", ready)
+        self.click(ready()[0])
 
     def choose_file(self, path, filter_word, picture=None):
-        """Fills in FreeCAD's file dialog, as with the keyboard, and accepts."""
-        dialog = [
-            w
-            for w in QtGui.QApplication.topLevelWidgets()
-            if isinstance(w, QtGui.QFileDialog) and w.isVisible()
-        ]
-        filters = [text for text in dialog[0].nameFilters() if filter_word in text]
-        dialog[0].selectNameFilter(filters[0])
-        dialog[0].filterSelected.emit(filters[0])
-        line = dialog[0].findChild(QtGui.QLineEdit)
-        line.setText(str(path))
+        """Fills in FreeCAD's file dialog, as with the keyboard, and accepts (`yield from` it)."""
+
+        def dialogs():
+            windows = QtGui.QApplication.topLevelWidgets()
+            return [w for w in windows if isinstance(w, QtGui.QFileDialog) and w.isVisible()]
+
+        yield self.until("the file dialog", dialogs)
+        yield self.pause(0.3)
+        dialog = dialogs()[0]
+        chosen = [text for text in dialog.nameFilters() if filter_word in text][0]
+        dialog.selectNameFilter(chosen)
+        dialog.filterSelected.emit(chosen)
+        line = dialog.findChild(QtGui.QLineEdit)
         if picture:  # of what is filled in, without the list of somebody's files
             line.setText(Path(path).name)
-            size = dialog[0].size()
-            dialog[0].grab(QtCore.QRect(0, size.height() - 70, size.width(), 70)).save(
-                str(OUT / f"{picture}.png")
-            )
-            line.setText(str(path))
-        QtGui.QApplication.postEvent(
-            line,
-            QtGui.QKeyEvent(QtCore.QEvent.KeyPress, QtCore.Qt.Key_Return, QtCore.Qt.NoModifier),
-        )
+            part = QtCore.QRect(0, dialog.height() - 70, dialog.width(), 70)
+            dialog.grab(part).save(str(OUT / f"{picture}.png"))
+        line.setText(str(path))
+        key = QtCore.Qt.Key_Return
+        event = QtGui.QKeyEvent(QtCore.QEvent.KeyPress, key, QtCore.Qt.NoModifier)
+        QtGui.QApplication.postEvent(line, event)
 
     def later(self, action):
         """Does something that opens a dialog of its own: this function returns before it is closed."""

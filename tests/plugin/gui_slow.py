@@ -14,7 +14,7 @@ def slow(driver):
     open_example(driver)
     yield driver.pause(0.5)
     yield from idle(driver)
-    driver.tool("Suture_Fill")
+    yield from driver.tool("Suture_Fill")
     yield driver.until("the run", lambda: driver.there("SutureStop"))
     yield driver.until("the fill", lambda: "filling" in driver.status())
     before, began = driver.ticks, time.monotonic()
@@ -39,7 +39,7 @@ def slow_ok(driver):
     open_example(driver)
     yield driver.pause(0.5)
     yield from idle(driver)
-    driver.tool("Suture_Fill")
+    yield from driver.tool("Suture_Fill")
     yield driver.until("the holes", lambda: driver.there("SuturePreview"))
     driver.find("SuturePreview", QtGui.QCheckBox).setChecked(False)
     yield driver.until("the holes", lambda: "No preview" in driver.status())
@@ -65,7 +65,7 @@ def recompute(driver):
     document, obj = open_example(driver)
     yield driver.pause(0.5)
     Gui.Selection.addSelection(obj)
-    driver.tool("Suture_Fill")
+    yield from driver.tool("Suture_Fill")
     yield driver.until(
         "the preview", lambda: driver.there("SutureStatus") and "within" in driver.status()
     )
@@ -97,7 +97,7 @@ def closing(driver):
     """The document is closed while a fill of it runs: the panel goes, and the processes too."""
     document, obj = open_example(driver)
     yield driver.pause(0.5)
-    driver.tool("Suture_Fill")
+    yield from driver.tool("Suture_Fill")
     yield driver.until(
         "the fill", lambda: driver.there("SutureStatus") and "filling" in driver.status()
     )
@@ -108,6 +108,6 @@ def closing(driver):
     driver.said["processes"] = len(pids)
     open_example(driver, "box_without_lid")
     yield driver.pause(0.5)
-    driver.tool("Suture_FindHoles")
+    yield from driver.tool("Suture_FindHoles")
     yield driver.until("the holes", lambda: driver.there("SutureHoles") and rows(driver))
     driver.said["row"] = rows(driver)[0].text(0)

@@ -11,8 +11,7 @@ def walk(driver):
     """The whole way: open, find, fill with preview, OK, check, export. Takes the pictures of docs."""
     Gui.activateWorkbench("SutureWorkbench")
     driver.later(lambda: Gui.runCommand("Std_Open", 0))
-    yield driver.pause(0.7)
-    driver.choose_file(ROOT / "docs/examples/suitcase_corner.step", "STEP with colors")
+    yield from driver.choose_file(ROOT / "docs/examples/suitcase_corner.step", "STEP with colors")
     yield driver.until("the model", lambda: App.ActiveDocument and App.ActiveDocument.Objects)
     document, obj = App.ActiveDocument, App.ActiveDocument.Objects[-1]
     obj.Label = "suitcase corner"
@@ -20,7 +19,7 @@ def walk(driver):
     yield driver.pause(1.0)
     driver.picture("1_open")
 
-    driver.tool("Suture_FindHoles")
+    yield from driver.tool("Suture_FindHoles")
     yield driver.until(
         "the holes",
         lambda: driver.there("SutureHoles") and driver.find("SutureFillTicked").isEnabled(),
@@ -56,7 +55,7 @@ def walk(driver):
     driver.picture("4_filled")
 
     Gui.Selection.addSelection(filled)
-    driver.tool("Suture_Check")
+    yield from driver.tool("Suture_Check")
     yield driver.until(
         "the check", lambda: driver.there("SutureEdges") and "pass" in driver.status()
     )
@@ -78,6 +77,11 @@ def walk(driver):
     driver.look(1.1, 0.9, 0.8)
     yield driver.pause(0.7)
     driver.picture("7_zebra")
+    driver.click(driver.find("SutureExportReport"))
+    yield from driver.choose_file(OUT / "report.html", "look at")
+    yield driver.until("the report", (OUT / "report.html").exists)
+    yield driver.until("its end", lambda: not driver.there("SutureProgress"))
+    driver.said["report"] = (OUT / "report.html").read_text(encoding="utf-8")[:15].lower()
     driver.press(CLOSE)
     yield driver.until("the panel to close", lambda: not driver.dialog_open())
 
@@ -93,7 +97,6 @@ def walk(driver):
 def export(driver, path, kind, picture=None):
     """File > Export of what is selected, through FreeCAD's own dialog."""
     driver.later(lambda: Gui.runCommand("Std_Export", 0))
-    yield driver.pause(0.7)
-    driver.choose_file(path, kind, picture)
+    yield from driver.choose_file(path, kind, picture)
     yield driver.until("the file", path.exists)
     yield driver.pause(0.3)

@@ -11,7 +11,7 @@ from headless import CORNER, EXAMPLES, ROOT, Case, example  # first: it makes Fr
 
 import FreeCAD as App  # noqa: E402
 import Part  # noqa: E402
-from suture_workbench import exchange  # noqa: E402
+from suture_workbench import combs, exchange, meshes  # noqa: E402
 from suture_workbench.errors import failure, in_freecads_words  # noqa: E402
 from suture_workbench.options import FillOptions  # noqa: E402
 
@@ -41,6 +41,44 @@ class Words(Case):
     def test_faces_are_traced_back_or_not_at_all(self):
         self.assertEqual(exchange.face_origins([3], 3, 4), [0, 1, None, 2])
         self.assertIsNone(exchange.face_origins([3], 3, 5))
+
+    def test_meshes_have_the_surfaces_normals_also_where_there_is_none(self):
+        sphere = Part.makeSphere(5).Faces[0]
+        points, normals, triangles = meshes.mesh_of(sphere, 0.05)
+        self.assertGreater(len(triangles), 100)
+        for point, normal in zip(points, normals):
+            self.assertLess((App.Vector(*normal) - App.Vector(*point) / 5).Length, 1e-6)
+        cone = next(f for f in Part.makeCone(5, 0, 9).Faces if "Cone" in f.Surface.TypeId)
+        _, normals, _ = meshes.mesh_of(cone, 0.05)
+        for normal in normals:
+            self.assertAlmostEqual(App.Vector(*normal).Length, 1.0, delta=1e-9)
+
+    def test_combs_measure_the_curvature_across_an_edge(self):
+        box = Part.makeBox(10, 10, 10)
+        solid = box.makeFillet(2, [box.Edges[0]])
+        fillet = next(f for f in solid.Faces if "Cylinder" in f.Surface.TypeId)
+        straight = next(e for e in fillet.Edges if "Line" in e.Curve.TypeId)
+        comb = combs.across(straight, fillet)
+        for curvature in comb.curvatures:
+            self.assertAlmostEqual(abs(curvature), 0.5, delta=1e-9)
+        middle = App.Vector(5, 5, 5)
+        for foot, tip in combs.hairs(comb, 1.0)[:-1]:
+            self.assertGreater(
+                (tip - middle).Length, (foot - middle).Length, "outside of what bends"
+            )
+        plane = next(f for f in combs.faces_at(solid, 1) if "Plane" in f.Surface.TypeId)
+        flat = combs.across(plane.Edges[0], plane)
+        self.assertEqual((len(flat.curvatures), max(map(abs, flat.curvatures))), (41, 0.0))
+        ball = Part.makeSphere(5, App.Vector(), App.Vector(0, 0, 1), 0, 90)
+        (round_face,) = (face for face in ball.Faces if "Sphere" in face.Surface.TypeId)
+        rim = next(n for n, e in enumerate(ball.Edges, 1) if not e.Degenerated and e.isClosed())
+        comb = combs.across(ball.Edges[rim - 1], round_face)
+        self.assertEqual(len(comb.curvatures), 41)
+        for curvature in comb.curvatures:
+            self.assertAlmostEqual(abs(curvature), 0.2, delta=1e-9)
+        self.assertGreater(len(combs.at_edges(ball, range(1, len(ball.Edges) + 1))), 2)
+        arc = next(e for e in fillet.Edges if "Circle" in e.Curve.TypeId)
+        self.assertLess(max(map(abs, combs.across(arc, fillet).curvatures)), 1e-9)
 
     def test_options_that_do_not_exist_are_refused(self):
         self.assertRaises(TypeError, FillOptions, colour="red")

@@ -25,13 +25,14 @@ class Failures(Case):
         return caught.exception
 
     def test_a_missing_program_says_how_to_get_it(self):
-        addon = Path(tempfile.mkdtemp())
-        with mock.patch.dict(os.environ, {"SUTURE_EXE": "/no", "PATH": ""}):
+        addon = Path(tempfile.mkdtemp()).resolve()
+        with mock.patch.dict(os.environ, {"SUTURE_EXE": "/no", "PATH": str(addon)}):
             with mock.patch.object(program, "ADDON", addon):
                 text = str(self.assert_unharmed(self.add(example()), ProgramMissing))
                 self.assertIn("README.md", text)
                 self.assertIn("Preferences", text)
-                (addon / "suture").touch()
+                (addon / "suture").touch(mode=0o755)  # the script that builds it: not to be run
+                self.assertRaises(ProgramMissing, program.find)
                 self.assertIn(f"{addon / 'suture'} --version", program.how_to_get_it())
 
     def test_a_crash_of_the_program_is_no_crash_of_freecad(self):

@@ -64,6 +64,7 @@ def carry_out(scenario, language="English", **environment):
                 "LIBGL_ALWAYS_SOFTWARE": "1",
                 "QT_QPA_PLATFORM": "xcb",
                 "LC_ALL": "C.UTF-8",
+                "TMPDIR": folder,  # what a killed run leaves goes with it
             }
             | environment,
             stdin=subprocess.DEVNULL,
@@ -99,6 +100,7 @@ class Window(unittest.TestCase):
         self.assertEqual((said["solid"], said["valid"], said["undo"]), ("Solid", True, 1))
         self.assertEqual(said["rows"], 21)
         self.assertIn("all of 21 edges pass", said["check"])
+        self.assertEqual(said["report"], "<!doctype html>")
         for name in ("filled.step", "exported.step", "exported.iges"):
             done = subprocess.run(
                 [PROGRAM, "check", out / name, "--json"], capture_output=True, text=True, check=True
@@ -185,6 +187,20 @@ class Window(unittest.TestCase):
         said, _ = carry_out("gui_cases.own_option", SUTURE_EXE=BAD, SUTURE_BEHAVIOUR="options")
         self.assertEqual((said["before"], said["tip"]), (False, "how much it bends"))
         self.assertEqual(said["kept"], ["bend=0.5"])
+
+    def test_near_misses_come_first_and_follow_the_profile(self):
+        said, _ = carry_out("gui_cases.near_misses")
+        self.assertEqual(
+            (said["first"][1], said["legend"]),
+            ("near miss", ["near miss: 3", "G1 tangent: 6", "sharp: 12"]),
+        )
+        self.assertEqual(said["selected"], [said["first"][0]])
+        self.assertEqual(said["loose"], ["G1 tangent: 9", "sharp: 12"])
+        self.assertEqual(said["one"], 1)
+
+    def test_stripes_and_combs_are_switched_and_go_with_the_shape(self):
+        said, _ = carry_out("gui_cases.overlays")
+        self.assertEqual(said["counts"], [0, 1, 2, 1, 0])
 
     def test_it_speaks_german_where_freecad_does(self):
         said, _ = carry_out("gui_cases.german", language="German")

@@ -4,12 +4,13 @@ import os
 import tempfile
 import unittest
 from pathlib import Path
+from types import SimpleNamespace
 
 from headless import CORNER, PROGRAM, TURNED, Case, example  # first: it makes FreeCAD importable
 
 import FreeCAD as App  # noqa: E402
 import Part  # noqa: E402
-from suture_workbench import api  # noqa: E402
+from suture_workbench import api, places  # noqa: E402
 
 
 class Objects(Case):
@@ -104,6 +105,25 @@ class Objects(Case):
         self.document.recompute()
         filled = api.fill(link)
         self.assert_same_face(Part.getShape(link).Faces[4], filled.Shape.Faces[4])
+
+    def test_a_selection_is_traced_to_its_object_and_instance(self):
+        part = self.document.addObject("App::Part", "Part")
+        part.Placement = App.Placement(App.Vector(1, 2, 3), App.Rotation(10, 0, 0))
+        base = self.add(example())
+        part.addObject(base)
+        base.Placement = App.Placement(App.Vector(0, 0, 9), App.Rotation(0, 0, 90))
+        link = self.document.addObject("App::Link", "Link")
+        link.LinkedObject = part
+        link.Placement = TURNED
+        self.document.recompute()
+        for top, outer in ((part, part.Placement), (link, TURNED)):
+            sub = (f"{base.Name}.Edge9", f"{base.Name}.Face3")
+            (found,) = places.selection([SimpleNamespace(Object=top, SubElementNames=sub)])
+            self.assertEqual((found.obj, found.edges, found.faces), (base, [9], [3]))
+            wanted = outer.multiply(base.Placement)
+            for point in (App.Vector(), App.Vector(1, 0, 0), App.Vector(0, 1, 0)):
+                apart = places.shown_at(found).multVec(point) - wanted.multVec(point)
+                self.assertLess(apart.Length, 1e-9, top.Name)
 
     def test_the_result_is_one_step_of_undo(self):
         self.document.UndoMode = 1

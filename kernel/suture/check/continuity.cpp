@@ -23,19 +23,6 @@ struct Job {
     std::array<EdgeUse, 2> uses;
 };
 
-EdgeClass classify(const EdgeContinuity& edge, const Profile& profile) {
-    const Tolerance& limit = profile.tolerance;
-    if (edge.max_angle > profile.sharp) {
-        return EdgeClass::Sharp;
-    }
-    if (edge.samples == 0 || edge.max_gap > limit.linear || edge.max_angle > limit.angular) {
-        return EdgeClass::G0;
-    }
-    const bool same_curvature =
-        edge.curvature_samples > 0 && edge.curvature_mismatch <= limit.curvature;
-    return same_curvature ? EdgeClass::G2 : EdgeClass::G1;
-}
-
 EdgeContinuity run_job(const Job& job, const occ::Numbering& numbering, const Profile& profile) {
     const auto face = [&](int i) { return TopoDS::Face(numbering.faces(job.uses.at(i).face)); };
     auto measured = occ::guarded("measuring the edge", [&] {
@@ -57,11 +44,7 @@ Result<void> check_arguments(const TopoDS_Shape& shape, const Profile& profile) 
     if (shape.IsNull()) {
         return fail(ErrorCode::Usage, "there is no shape to check");
     }
-    if (!(profile.sharp > 0.0)) {
-        return fail(ErrorCode::Usage, "the angle of a sharp edge must be positive, not {} rad",
-                    profile.sharp);
-    }
-    return validate(profile.tolerance);
+    return validate(profile);
 }
 
 }  // namespace
@@ -76,8 +59,27 @@ std::string_view to_string(EdgeClass edge_class) {
             return "G1";
         case EdgeClass::G2:
             return "G2";
+        case EdgeClass::G3:
+            return "G3";
     }
     return "";
+}
+
+EdgeClass classify(const EdgeContinuity& edge, const Profile& profile) {
+    const Tolerance& limit = profile.tolerance;
+    if (edge.max_angle > profile.sharp) {
+        return EdgeClass::Sharp;
+    }
+    if (edge.samples == 0 || edge.max_gap > limit.linear || edge.max_angle > limit.angular) {
+        return EdgeClass::G0;
+    }
+    const double mismatch = profile.curvature_by == CurvatureMeasure::Larger
+                                ? edge.curvature_mismatch
+                                : edge.curvature_mismatch_sum;
+    if (edge.curvature_samples == 0 || mismatch > limit.curvature) {
+        return EdgeClass::G1;
+    }
+    return edge.g3_samples > 0 && edge.g3_mismatch <= profile.g3 ? EdgeClass::G3 : EdgeClass::G2;
 }
 
 Result<ContinuityReport> measure_continuity(const TopoDS_Shape& shape, const Profile& profile,

@@ -16,7 +16,7 @@
 namespace suture {
 
 /// What an edge between two faces is. G0 is also what could not be measured.
-enum class EdgeClass { Sharp, G0, G1, G2 };
+enum class EdgeClass { Sharp, G0, G1, G2, G3 };
 
 [[nodiscard]] std::string_view to_string(EdgeClass edge_class);
 
@@ -35,15 +35,22 @@ struct EdgeContinuity {
     double edge_gap = 0.0;  ///< largest distance of the edge's curve from P1 or P2
     double max_angle = 0.0;
     double mean_angle = 0.0;
+    double min_angle = 0.0;
     double curvature_mismatch = 0.0;      ///< max |k1-k2| / max(|k1|,|k2|)
     double curvature_mismatch_sum = 0.0;  ///< max |R1-R2| / (R1+R2) = |k1-k2| / (|k1|+|k2|)
+    double curvature_difference = 0.0;    ///< max |k1-k2|, per unit of length
     bool opposite_concavity = false;      ///< k1 and k2 of different sign somewhere
+    double g3_mismatch = 0.0;             ///< radians; only if g3_samples > 0
     Eigen::Vector3d gap_at = Eigen::Vector3d::Zero();
     Eigen::Vector3d angle_at = Eigen::Vector3d::Zero();
     Eigen::Vector3d curvature_at = Eigen::Vector3d::Zero();
+    Eigen::Vector3d g3_at = Eigen::Vector3d::Zero();
+    /// Where these points lie along the edge: parts of its length, 0 to 1, in its own direction.
+    double gap_along = 0.0, angle_along = 0.0, curvature_along = 0.0;
     int samples = 0;            ///< points at which gap and angle could be measured
     int curvature_samples = 0;  ///< points at which the curvatures could be compared
-    std::string note;           ///< what could not be measured, what looks odd, else empty
+    int g3_samples = 0;  ///< points at which their changes could be; 0 where it means nothing
+    std::string note;    ///< what could not be measured, what looks odd, else empty
 };
 
 struct ContinuityReport {
@@ -51,6 +58,9 @@ struct ContinuityReport {
     std::vector<int> free_edges;        ///< edges used by one face only, no seams
     std::vector<int> non_manifold;      ///< edges used by more than two faces
 };
+
+/// The class of an edge from its figures.
+[[nodiscard]] EdgeClass classify(const EdgeContinuity& edge, const Profile& profile);
 
 /// Measures every edge of a shape, or only the given ones (1-based EdgeN; empty: all).
 ///

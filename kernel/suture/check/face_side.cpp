@@ -283,17 +283,51 @@ std::optional<double> FaceSide::curvature(const Jet& at, const gp_Vec& normal,
     return second / d.SquareMagnitude();
 }
 
+/// Let x run along d in the tangent plane and w(x) = a x + b x^2/2 + ... be the parameters of the
+/// section's points: a solves dS(a) = d, b cancels the tangential part of d2S(a,a). The height's
+/// third derivative, n (d3S(a,a,a) + 3 d2S(a,b)), is the curvature's first: the height's second
+/// derivative is the curvature but for terms of second order in x.
+double FaceSide::slope(const gp_Pnt2d& uv, const Jet& at, const gp_Vec& normal,
+                       const gp_Vec& tangent) const {
+    gp_Pnt P;
+    gp_Vec Su, Sv, Suu, Svv, Suv, Suuu, Svvv, Suuv, Suvv;
+    surface_.D3(uv.X(), uv.Y(), P, Su, Sv, Suu, Svv, Suv, Suuu, Svvv, Suuv, Suvv);
+    const double E = at.Su.SquareMagnitude();
+    const double F = at.Su * at.Sv;
+    const double G = at.Sv.SquareMagnitude();
+    const double determinant = E * G - F * F;
+    const auto parameters = [&](const gp_Vec& d) {
+        return gp_Vec2d((G * (d * at.Su) - F * (d * at.Sv)) / determinant,
+                        (E * (d * at.Sv) - F * (d * at.Su)) / determinant);
+    };
+    const gp_Vec2d a = parameters(normal.Crossed(tangent).Normalized());
+    const gp_Vec second =
+        a.X() * a.X() * at.Suu + 2.0 * a.X() * a.Y() * at.Suv + a.Y() * a.Y() * at.Svv;
+    const gp_Vec2d b = parameters(-second);
+    const gp_Vec third = a.X() * a.X() * (a.X() * Suuu + 3.0 * a.Y() * Suuv) +
+                         a.Y() * a.Y() * (a.Y() * Svvv + 3.0 * a.X() * Suvv);
+    const gp_Vec mixed =
+        a.X() * b.X() * at.Suu + (a.X() * b.Y() + a.Y() * b.X()) * at.Suv + a.Y() * b.Y() * at.Svv;
+    return normal * (third + 3.0 * mixed);
+}
+
 void FaceSide::set_local(BorderPoint& result, double t, const gp_Pnt2d& uv, const gp_Pnt& local,
-                         const gp_Vec& tangent) {
+                         const gp_Vec& tangent, bool with_slope) {
     const gp_Vec2d offset = off_breaks(t, uv);
     const bool on_break = offset.SquareMagnitude() > 0.0;
-    const Jet there = jet(on_break ? uv.Translated(offset) : uv);
+    const gp_Pnt2d inside = on_break ? uv.Translated(offset) : uv;
+    const Jet there = jet(inside);
     if (!regular(there)) {
         result.normal = limit_normal(t, local);
         return;
     }
     result.normal = local_normal(there);
     result.curvature = curvature(there, *result.normal, tangent);
+    if (with_slope && result.curvature) {
+        // On a knot line not extrapolated: of a third derivative, a step off the knot is exact
+        // enough.
+        result.curvature_slope = slope(inside, there, *result.normal, tangent);
+    }
     if (!on_break) {
         return;
     }
@@ -310,12 +344,17 @@ void FaceSide::set_local(BorderPoint& result, double t, const gp_Pnt2d& uv, cons
     }
 }
 
-BorderPoint FaceSide::at(double t, const gp_Pnt& point, const gp_Vec& derivative) {
+gp_Pnt2d FaceSide::parameters(double t, const gp_Pnt& point) {
+    gp_Pnt on_surface;
+    return nearest(t, moved_ ? point.Transformed(to_local_) : point, on_surface);
+}
+
+BorderPoint FaceSide::at(double t, const gp_Pnt& point, const gp_Vec& derivative, bool with_slope) {
     const gp_Pnt local = moved_ ? point.Transformed(to_local_) : point;
     const gp_Vec tangent = moved_ ? derivative.Transformed(to_local_) : derivative;
     BorderPoint result;
     const gp_Pnt2d uv = nearest(t, local, result.point);
-    set_local(result, t, uv, local, tangent);
+    set_local(result, t, uv, local, tangent, with_slope);
     if (moved_) {
         result.point.Transform(to_model_);
         if (result.normal) {
@@ -323,6 +362,10 @@ BorderPoint FaceSide::at(double t, const gp_Pnt& point, const gp_Vec& derivative
         }
         if (result.curvature) {
             *result.curvature /= scale_;
+        }
+        if (result.curvature_slope) {
+            // A mirror turns normal x tangent round.
+            *result.curvature_slope *= (to_model_.IsNegative() ? -1.0 : 1.0) / (scale_ * scale_);
         }
     }
     return result;

@@ -26,6 +26,9 @@ struct BorderPoint {
     gp_Pnt point;                     ///< the nearest point of the face's surface
     std::optional<gp_Vec> normal;     ///< outward unit normal; none where even its limit is unknown
     std::optional<double> curvature;  ///< normal curvature perpendicular to the edge, along normal
+    /// The curvature's change per length along normal x tangent, at the same point: of the section
+    /// of the face by the plane perpendicular to the edge.
+    std::optional<double> curvature_slope;
 };
 
 /// One face as seen from one edge of its border: nearest points, outward normals, curvatures.
@@ -37,8 +40,13 @@ class FaceSide {
     /// Input  edge as it stands in the face taken FORWARD (see EdgeUse).
     FaceSide(const TopoDS_Face& face, const TopoDS_Edge& edge, EdgeRange range, double length);
 
-    /// At the edge's parameter t, where its curve has this point and derivative.
-    [[nodiscard]] BorderPoint at(double t, const gp_Pnt& point, const gp_Vec& derivative);
+    /// At the edge's parameter t, where its curve has this point and derivative. The curvature's
+    /// slope only if wanted: it takes third derivatives.
+    [[nodiscard]] BorderPoint at(double t, const gp_Pnt& point, const gp_Vec& derivative,
+                                 bool with_slope = false);
+
+    /// The surface's parameters of the nearest point.
+    [[nodiscard]] gp_Pnt2d parameters(double t, const gp_Pnt& point);
 
     /// Polynomial pieces of the surface that the edge passes: how finely to sample.
     [[nodiscard]] int pieces() const { return pieces_; }
@@ -77,13 +85,15 @@ class FaceSide {
     void project_globally(const gp_Pnt& local, gp_Pnt2d& uv, gp_Pnt& on_surface) const;
     [[nodiscard]] gp_Vec2d off_breaks(double t, const gp_Pnt2d& uv);
     void set_local(BorderPoint& result, double t, const gp_Pnt2d& uv, const gp_Pnt& local,
-                   const gp_Vec& tangent);
+                   const gp_Vec& tangent, bool with_slope);
     [[nodiscard]] gp_Vec2d inward(double t);
     [[nodiscard]] bool regular(const Jet& jet) const;
     [[nodiscard]] gp_Vec local_normal(const Jet& jet) const;
     [[nodiscard]] std::optional<gp_Vec> limit_normal(double t, const gp_Pnt& local);
     [[nodiscard]] std::optional<double> curvature(const Jet& jet, const gp_Vec& normal,
                                                   const gp_Vec& tangent) const;
+    [[nodiscard]] double slope(const gp_Pnt2d& uv, const Jet& jet, const gp_Vec& normal,
+                               const gp_Vec& tangent) const;
     [[nodiscard]] bool load_pcurve();
 
     TopoDS_Face face_;

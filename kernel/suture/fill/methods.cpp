@@ -1,15 +1,17 @@
+#include "suture/fill/concentric.h"
 #include "suture/fill/extend.h"
 #include "suture/fill/fill.h"
 #include "suture/fill/manifold.h"
 #include "suture/fill/mvs.h"
 #include "suture/fill/plane.h"
+#include "suture/fill/tube.h"
 
 #include <array>
 
 namespace suture {
 
 std::span<const FillMethod> fill_methods() {
-    static constexpr std::array kMethods = {
+    static const std::array kMethods = {
         FillMethod{"extend", "Continues the surface on which all neighbours lie", "exact", "any",
                    Continuity::G2, &fill_extend},
         FillMethod{"plane", "Closes a planar loop by a plane", "exact", "any", Continuity::G0,
@@ -17,6 +19,14 @@ std::span<const FillMethod> fill_methods() {
         FillMethod{"mvs", "The surface whose curvature varies least, as one biquintic face",
                    "Moreton & Sequin, Functional optimization for fair surface design, 1992", "any",
                    Continuity::G2, &fill_mvs},
+        FillMethod{"concentric", "A disc-like surface whose spokes end on the medial axis",
+                   "Martin & Cohen, Surface completion of an irregular boundary curve using a "
+                   "concentric mapping, 2003",
+                   "any, no islands", Continuity::G1, &fill_concentric, concentric_options(),
+                   /*in_auto=*/false},
+        FillMethod{"tube", "A tube around the hole that closes in a point, as one face",
+                   "Szilvasi-Nagy, Filling holes with B-spline surfaces, 2002", "1 loop",
+                   Continuity::G1, &fill_tube, kTubeOptions, /*in_auto=*/false},
         FillMethod{"manifold", "C^k patch of a star-shaped net, B-spline along its border",
                    "Cotrina-Navau, Pla-Garcia & Vigo-Anglada, N-sided patches with B-spline "
                    "boundaries, 2001",

@@ -2,6 +2,7 @@
 
 #include "suture/model/continuity.h"
 #include "suture/model/surface.h"
+#include "suture/spline/curve.h"
 
 #include <Eigen/Core>
 
@@ -45,8 +46,9 @@ struct Ribbon {
     std::function<RibbonPoint(double s)> at;  ///< exact, thread safe
     Continuity continuity = Continuity::G1;   ///< wanted towards the neighbour
     std::optional<Support> support;           ///< the neighbour's surface, if it has a closed form
-    int edge = 0;                             ///< source edge, 1-based as EdgeN
-    int face = 0;                             ///< source face, 1-based as FaceN
+    std::optional<SplineCurve> curve;  ///< the edge's own curve on [0,1], if it is a polynomial one
+    int edge = 0;                      ///< source edge, 1-based as EdgeN
+    int face = 0;                      ///< source face, 1-based as FaceN
     /// The curve on its source edge: s runs from the parameter `first` to `last` of the edge's
     /// curve, affinely; first > last where the loop walks the edge backwards.
     double first = 0.0;

@@ -1,19 +1,25 @@
 #include "suture/occ/convert.h"
 
+#include <BSplCLib.hxx>
 #include <GeomConvert.hxx>
+#include <Geom_BSplineCurve.hxx>
 #include <Geom_BSplineSurface.hxx>
+#include <Geom_BezierCurve.hxx>
 #include <Geom_BezierSurface.hxx>
 #include <Geom_ConicalSurface.hxx>
 #include <Geom_CylindricalSurface.hxx>
+#include <Geom_Line.hxx>
 #include <Geom_Plane.hxx>
 #include <Geom_RectangularTrimmedSurface.hxx>
 #include <Geom_SphericalSurface.hxx>
 #include <Geom_ToroidalSurface.hxx>
+#include <Geom_TrimmedCurve.hxx>
 #include <TColStd_Array1OfInteger.hxx>
 #include <TColStd_Array1OfReal.hxx>
 #include <TColStd_Array2OfReal.hxx>
 #include <TColgp_Array2OfPnt.hxx>
 
+#include <algorithm>
 #include <vector>
 
 namespace suture::occ {
@@ -180,6 +186,46 @@ std::optional<ClosedForm> from_occ(const Handle<Geom_Surface>& given) {
         return ClosedForm{from_occ(spline), {1.0, 1.0}};
     }
     return std::nullopt;
+}
+
+std::optional<SplineCurve> spline_of(const Handle<Geom_Curve>& given, double from, double to) {
+    Handle<Geom_Curve> curve = given;
+    while (const auto trimmed = cast<Geom_TrimmedCurve>(curve)) {
+        curve = trimmed->BasisCurve();
+    }
+    SplineCurve result;
+    if (cast<Geom_Line>(curve)) {
+        result.knots = {0.0, 0.0, 1.0, 1.0};
+        result.poles.resize(3, 2);
+        result.poles << from_occ(curve->Value(from)), from_occ(curve->Value(to));
+        return result;
+    }
+    Handle<Geom_BSplineCurve> spline;
+    if (cast<Geom_BezierCurve>(curve)) {
+        spline = GeomConvert::CurveToBSplineCurve(curve);
+    } else if (const auto own = cast<Geom_BSplineCurve>(curve)) {
+        spline = cast<Geom_BSplineCurve>(own->Copy());
+    }
+    if (spline.IsNull() || spline->IsRational()) {
+        return std::nullopt;
+    }
+    spline->Segment(std::min(from, to), std::max(from, to));
+    if (to < from) {
+        spline->Reverse();
+    }
+    result.degree = spline->Degree();
+    result.poles.resize(3, spline->NbPoles());
+    for (int i = 1; i <= spline->NbPoles(); ++i) {
+        result.poles.col(i - 1) = from_occ(spline->Pole(i));
+    }
+    TColStd_Array1OfReal knots(1, spline->NbKnots());
+    spline->Knots(knots);
+    BSplCLib::Reparametrize(0.0, 1.0, knots);
+    for (int i = 1; i <= spline->NbKnots(); ++i) {
+        result.knots.insert(result.knots.end(), static_cast<std::size_t>(spline->Multiplicity(i)),
+                            knots(i));
+    }
+    return result;
 }
 
 }  // namespace suture::occ

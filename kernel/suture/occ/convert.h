@@ -3,9 +3,11 @@
 #include "suture/base/result.h"
 #include "suture/model/surface.h"
 #include "suture/occ/handle.h"
+#include "suture/spline/curve.h"
 
 #include <Eigen/Core>
 
+#include <Geom_Curve.hxx>
 #include <Geom_Surface.hxx>
 #include <gp_Ax3.hxx>
 #include <gp_Pnt.hxx>
@@ -53,5 +55,10 @@ struct ClosedForm {
 /// Plane, cylinder, cone, sphere, torus, B-spline, Bezier, and trimmed ones of these; nothing for
 /// offsets, extrusions and revolutions.
 [[nodiscard]] std::optional<ClosedForm> from_occ(const Handle<Geom_Surface>& surface);
+
+/// A curve's part from one parameter to another, backwards if need be, as a polynomial on [0,1]:
+/// of lines, polynomial Bezier curves and B-splines; nothing for others.
+[[nodiscard]] std::optional<SplineCurve> spline_of(const Handle<Geom_Curve>& curve, double from,
+                                                   double to);
 
 }  // namespace suture::occ

@@ -204,6 +204,7 @@ Result<Ribbon> ribbon_of(const BoundaryEdge& boundary) {
     Ribbon ribbon;
     ribbon.at = [side, extent](double s) { return evaluate(*side, extent, s); };
     ribbon.support = support_of(side);
+    ribbon.curve = occ::spline_of(side->curve, side->t0, side->t1);
     ribbon.edge = boundary.edge_number;
     ribbon.face = boundary.face_number;
     ribbon.first = side->t0;

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import FreeCADGui as Gui
 
-from .. import RESOURCES, places, reports, settings, tasks
+from .. import RESOURCES, meshes, places, reports, settings, tasks
 from ..compat import QtCore, QtGui, QtWidgets, translate
 from ..errors import SutureError
 from ..options import PROFILES, CheckOptions
@@ -20,6 +20,7 @@ _COLORS = {
     "free": (1.00, 0.55, 0.00),
     "G1": (0.10, 0.65, 0.20),
     "G2": (0.10, 0.40, 0.95),
+    "G3": (0.05, 0.20, 0.60),
     "sharp": (0.45, 0.45, 0.50),
 }
 _MARK = (1.0, 0.0, 0.6)
@@ -33,6 +34,7 @@ def class_name(key):
         "free": translate("free edge"),
         "G1": translate("G1 tangent"),
         "G2": translate("G2 curvature"),
+        "G3": translate("G3 change of curvature"),
         "sharp": translate("sharp"),
     }[key]
 
@@ -56,7 +58,7 @@ class CheckPanel(Panel):
         super().__init__()
         self.item = item
         self.shape = places.local_shape(item.obj)
-        self.placement = places.to_document(item.obj)
+        self.placement = places.shown_at(item)
         self.report = self.measured = None
         self._hidden = set()
         self._lines = overlay.Overlay(self.placement)
@@ -241,7 +243,7 @@ class CheckPanel(Panel):
         return {key: groups[key] for key in _COLORS if key in groups}
 
     def _draw(self):
-        deflection = overlay.fineness(self.measured)
+        deflection = meshes.fineness(self.measured)
         self._lines.clear()
         self._legend.clear()
         rows = []
@@ -249,9 +251,7 @@ class CheckPanel(Panel):
             rows.append((f"{class_name(key)}: {len(numbers)}", _COLORS[key]))
             if key not in self._hidden:
                 edges = (self.measured.Edges[number - 1] for number in numbers)
-                lines = [
-                    overlay.outline(edge, deflection) for edge in edges if not edge.Degenerated
-                ]
+                lines = [meshes.outline(edge, deflection) for edge in edges if not edge.Degenerated]
                 self._lines.lines(lines, _COLORS[key], 2.5 if key == "sharp" else 5.0)
         self._legend.legend(rows)
 

@@ -4,7 +4,7 @@
 import FreeCAD as App
 import FreeCADGui as Gui
 
-from .. import RESOURCES, api, feature, places, reports, settings, tasks
+from .. import RESOURCES, api, feature, meshes, places, reports, settings, tasks
 from ..compat import QtCore, QtWidgets, translate
 from ..errors import NothingToDo, SutureError
 from ..options import CONTINUITIES, FillOptions
@@ -32,7 +32,7 @@ class FillPanel(Panel):
         self.item, self.edited = item, edited
         self._ticked, self._all = ticked, ticked is None
         self._shown = None  # (key, request, Filled) of the preview
-        self._build(places.to_document(item.obj))
+        self._build(places.shown_at(item))
         self.shape = places.local_shape(item.obj)
         self._finder = Watcher(self._found, self._failed, self.status.advance)
         self._filler = Watcher(self._previewed, self._failed, self.status.advance)
@@ -219,10 +219,10 @@ class FillPanel(Panel):
     def _previewed(self, filled):
         self._shown = (self._pending.key(), self._pending, filled)
         self._drawing.clear()
-        deflection = overlay.fineness(filled.shape)
+        deflection = meshes.fineness(filled.shape)
         for number in filled.new_faces:
             face = filled.shape.Faces[number - 1]
-            self._drawing.mesh(*overlay.mesh_of(face, deflection), overlay.ORANGE, 0.2)
+            self._drawing.mesh(*meshes.mesh_of(face, deflection), overlay.ORANGE, 0.2)
         self.sides.measured(filled.report)
         if filled.report.ok:
             self.status.good(reports.summary(filled.report))

@@ -20,7 +20,7 @@ class HolesPanel(Panel):
         super().__init__()
         self.item = item
         self.shape = places.local_shape(item.obj)
-        self.tree = HolesTree(item, places.to_document(item.obj))
+        self.tree = HolesTree(item, places.shown_at(item))
         self.fill_button = QtWidgets.QPushButton(translate("Fill ticked holes…"))
         self.fill_button.setObjectName("SutureFillTicked")
         self.fill_button.setEnabled(False)

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The list of holes with tick boxes that both panels show, and its drawing in the view."""
 
+from .. import meshes
 from ..compat import QtCore, QtWidgets, translate
 from ..reports import FILLABLE
 from . import overlay, pick
@@ -140,7 +141,7 @@ class HolesTree(QtWidgets.QTreeWidget):
 
     def _line(self, edge):
         shape = self._found.shape
-        return overlay.outline(shape.Edges[edge - 1], overlay.fineness(shape))
+        return meshes.outline(shape.Edges[edge - 1], meshes.fineness(shape))
 
     def _draw(self, chosen):
         self._overlay.clear()

@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Drawings in the 3D view that belong to no document: outlines, previews, markers, zebra, combs."""
 
-import math
-
 import FreeCADGui as Gui
 from pivy import coin
 
@@ -54,13 +52,14 @@ class Overlay:
         style.lineWidth = width
         lines = coin.SoIndexedLineSet()
         lines.coordIndex.setValues(0, len(indices), indices)
-        self._add(_flat(color), style, _coordinates(points), lines)
+        self._add(_flat(color), _in_front(), style, _coordinates(points), lines)
 
     def markers(self, points, color):
         """Draws a cross at each point."""
         markers = coin.SoMarkerSet()
         markers.markerIndex = coin.SoMarkerSet.DIAMOND_FILLED_9_9
-        self._add(_flat(color), _coordinates([tuple(point) for point in points]), markers)
+        places = _coordinates([tuple(point) for point in points])
+        self._add(_flat(color), _in_front(), places, markers)
 
     def mesh(self, points, normals, triangles, color, transparency=0.0, stripes=None):
         """Draws a shaded mesh; with `stripes` it mirrors them."""
@@ -124,33 +123,6 @@ class Overlay:
         self._body.addChild(part)
 
 
-def outline(edge, deflection):
-    """An edge as a polyline."""
-    return edge.discretize(Deflection=deflection) if edge.Length > 0 else []
-
-
-def fineness(shape):
-    """A deflection at which a shape looks round."""
-    return max(shape.BoundBox.DiagonalLength * 5e-4, 1e-6)
-
-
-def mesh_of(face, deflection):
-    """(points, normals, triangles) of a face, with the surface's own normals."""
-    points, triangles = face.tessellate(deflection)
-    # The nodes' parameters come in another order: found again by place, else by projection.
-    digits = 3 - math.floor(math.log10(deflection))
-    parameters = {_rounded(face.valueAt(u, v), digits): (u, v) for u, v in face.getUVNodes()}
-    normals = []
-    for point in points:
-        u, v = parameters.get(_rounded(point, digits)) or face.Surface.parameter(point)
-        normals.append(tuple(face.normalAt(u, v)))
-    return [tuple(point) for point in points], normals, triangles
-
-
-def _rounded(point, digits):
-    return tuple(round(x, digits) for x in point)
-
-
 _VERTEX = """
 varying vec3 normal;
 varying vec3 place;
@@ -198,6 +170,14 @@ def _coordinates(points):
     node = coin.SoCoordinate3()
     node.point.setValues(0, len(points), points)
     return node
+
+
+def _in_front():
+    """Lets lines win against faces that they lie on: the faces are drawn as triangles, which reach
+    over a curved edge. What is farther behind stays hidden."""
+    depth = coin.SoDepthBuffer()
+    depth.range = (0.0, 0.99)
+    return depth
 
 
 def _flat(color):

@@ -3,7 +3,8 @@
 
 import FreeCAD as App
 
-from .. import combs, places
+from .. import combs, meshes, places
+from ..compat import QtCore, QtWidgets
 from . import overlay
 
 _COMB_COLORS = ((0.85, 0.10, 0.35), (0.10, 0.35, 0.90))
@@ -13,9 +14,11 @@ _zebras, _combs = {}, {}
 def zebra_nodes(layer, shape):
     """Draws stripes over every face of a shape."""
     texture = overlay.stripes()
-    deflection = overlay.fineness(shape)
+    deflection = meshes.fineness(shape)
     for face in shape.Faces:
-        layer.mesh(*overlay.mesh_of(face, deflection), (1.0, 1.0, 1.0), 0.0, texture)
+        # A large model takes seconds: the window repaints meanwhile, but takes no clicks.
+        QtWidgets.QApplication.processEvents(QtCore.QEventLoop.ExcludeUserInputEvents)
+        layer.mesh(*meshes.mesh_of(face, deflection), (1.0, 1.0, 1.0), 0.0, texture)
 
 
 def comb_nodes(layer, shape, edges, stretch=1.0):
@@ -48,10 +51,14 @@ def _toggle(layers, item, draw):
     if key in layers:
         layers.pop(key).close()
         return False
-    layer = overlay.Overlay(places.to_document(item.obj))
-    draw(layer, places.local_shape(item.obj))
-    layers[key] = layer
+    layer = overlay.Overlay(places.shown_at(item))
+    layers[key] = layer  # before the drawing: events go on meanwhile
     _watch()
+    try:
+        draw(layer, places.local_shape(item.obj))
+    except BaseException:
+        layers.pop(key, layer).close()
+        raise
     return True
 
 

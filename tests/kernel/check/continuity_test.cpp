@@ -50,7 +50,7 @@ TEST_P(FoldedPlanes, HaveTheAngleTheyWereBuiltWith) {
     EXPECT_NEAR(edge.max_gap, 0.0, 1e-12);
     EXPECT_NEAR(edge.length, 2.0, 1e-12);
     EXPECT_EQ(edge.curvature_mismatch, 0.0);
-    EXPECT_EQ(edge.edge_class, angle < radians(0.01)  ? EdgeClass::G2
+    EXPECT_EQ(edge.edge_class, angle < radians(0.01)  ? EdgeClass::G3
                                : angle < radians(5.0) ? EdgeClass::G0
                                                       : EdgeClass::Sharp);
 }
@@ -137,7 +137,7 @@ TEST(MeasureContinuity, SphereCutAlongATiltedCircleIsSmoothEverywhere) {
         EXPECT_NEAR(edge.max_gap, 0.0, 1e-9) << edge.edge;
         EXPECT_NEAR(edge.max_angle, 0.0, 1e-9) << edge.edge;
         EXPECT_NEAR(edge.curvature_mismatch, 0.0, 1e-9) << edge.edge;
-        EXPECT_EQ(edge.edge_class, EdgeClass::G2) << edge.edge;
+        EXPECT_EQ(edge.edge_class, EdgeClass::G3) << edge.edge;
         EXPECT_EQ(edge.note, "") << edge.edge;
     }
 }
@@ -158,7 +158,7 @@ TEST(MeasureContinuity, PolesApexesAndSeamsOfSolidsAreMeasuredAndDegeneratedEdge
         EXPECT_FALSE(report.edges.empty());
         for (const auto& edge : report.edges) {
             EXPECT_EQ(edge.faces[0], edge.faces[1]);
-            EXPECT_EQ(edge.edge_class, EdgeClass::G2);
+            EXPECT_EQ(edge.edge_class, EdgeClass::G3);
             EXPECT_EQ(edge.note, "");
             EXPECT_NEAR(edge.max_angle, 0.0, 1e-9);
         }
@@ -180,7 +180,7 @@ TEST(MeasureContinuity, NormalsAtAPoleOfABsplineAreFoundAsLimits) {
     for (const auto& edge : report.edges) {
         EXPECT_NEAR(edge.max_angle, 0.0, 1e-8);
         EXPECT_EQ(edge.note, "");
-        EXPECT_EQ(edge.edge_class, EdgeClass::G2);
+        EXPECT_EQ(edge.edge_class, EdgeClass::G3);
     }
 }
 
@@ -230,7 +230,7 @@ TEST(MeasureContinuity, FindsTheNearestPointOnTheBorderOfAShearedPatch) {
 TEST(MeasureContinuity, ComparesNoCurvaturesThatTurnTheFacesByLessThanAnAngleNobodySees) {
     // Per unit of edge length the wide cylinder turns by 2e-5 and 2e-4 rad; the limit is 1e-4.
     EXPECT_EQ(inner_edge(shapes::plane_into_cylinder(7.0 / 2e-5)).curvature_mismatch, 0.0);
-    EXPECT_EQ(inner_edge(shapes::plane_into_cylinder(7.0 / 2e-5)).edge_class, EdgeClass::G2);
+    EXPECT_EQ(inner_edge(shapes::plane_into_cylinder(7.0 / 2e-5)).edge_class, EdgeClass::G3);
     EXPECT_NEAR(inner_edge(shapes::plane_into_cylinder(7.0 / 2e-4)).curvature_mismatch, 1.0, 1e-9);
 }
 

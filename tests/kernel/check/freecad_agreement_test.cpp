@@ -63,7 +63,8 @@ TEST_P(AgreesWithFreecad, OnGapAndAngleOfEveryEdge) {
 }
 INSTANTIATE_TEST_SUITE_P(Files, AgreesWithFreecad,
                          testing::Values("0044_bb_boxblend_03_colored.stp",
-                                         "lower_leg_structure_fork.STEP", "Trigger_SO101.step"));
+                                         "lower_leg_structure_fork.STEP", "Trigger_SO101.step",
+                                         "nacelle.stp", "nist_ctc_05_asme1_rd.stp"));
 
 }  // namespace
 }  // namespace suture

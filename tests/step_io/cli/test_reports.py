@@ -38,7 +38,7 @@ class Inspect(Case):
 
     def test_document_has_every_promised_key(self):
         document = run("inspect", example("suitcase_corner"), "--json").json
-        self.assertEqual(document["schema"], 1)
+        self.assertEqual(document["schema"], 2)
         self.assertEqual(document["command"], "inspect")
         hole = document["holes"][0]
         for key in ("id", "kind", "sides", "edges", "faces", "diameter", "length", "planar", "corners"):

@@ -180,6 +180,11 @@
     </message>
     <message>
       <location filename="suture_workbench/gui/check_panel.py" />
+      <source>G3 change of curvature</source>
+      <translation>G3 stetige Krümmungsänderung</translation>
+    </message>
+    <message>
+      <location filename="suture_workbench/gui/check_panel.py" />
       <source>sharp</source>
       <translation>scharf</translation>
     </message>

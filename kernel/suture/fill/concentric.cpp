@@ -1,0 +1,156 @@
+#include "suture/fill/concentric.h"
+
+#include "suture/fill/concentric/assemble.h"
+#include "suture/fill/concentric/boundary.h"
+#include "suture/fill/concentric/lift.h"
+#include "suture/fill/concentric/map.h"
+#include "suture/fill/concentric/sweep.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <array>
+
+namespace suture {
+namespace {
+
+using concentric::Boundary;
+using concentric::ConcentricMap;
+using concentric::Region;
+using Eigen::Vector3d;
+
+/// What is no polynomial is fitted to this share of the length tolerance: the new face then keeps
+/// to its edges as well as a STEP file says where they are.
+constexpr double kFitShare = 1e-4;
+
+/// Branches of the axis that stand out less, and nodes that bend it less, as shares of the largest
+/// inscribed circle's radius: a cap wants few control points.
+constexpr double kSalience = 0.1;
+constexpr double kFlatness = 0.02;
+
+/// An error that speaks of parameters: s = 2.3 is on the third side.
+Error named_after_sides(const Error& error, const Hole& hole) {
+    const auto& ribbons = hole.loops.front().ribbons;
+    return {error.code, fmt::format("{}; s counts the sides from {} on", error.message,
+                                    name_of(ribbons.front()))};
+}
+
+/// Whether the loop and all that it has to be tangent to lie in one plane.
+bool is_flat(const Hole& hole, const Boundary& boundary, const Tolerance& tolerance) {
+    if (boundary.height > tolerance.linear) {
+        return false;
+    }
+    const auto& ribbons = hole.loops.front().ribbons;
+    return std::all_of(ribbons.begin(), ribbons.end(), [&](const Ribbon& ribbon) {
+        constexpr int kProbes = 8;
+        for (int k = 0; ribbon.continuity >= Continuity::G1 && k <= kProbes; ++k) {
+            const Vector3d normal = ribbon.at(static_cast<double>(k) / kProbes).normal;
+            if (normal.cross(boundary.frame.z).norm() > tolerance.angular) {
+                return false;
+            }
+        }
+        return true;
+    });
+}
+
+/// The map itself: bidegree (p, 1).
+FillResult fill_flat(const Boundary& boundary, concentric::ConcentricCurve& axis, bool single) {
+    const std::vector<Region> regions = concentric::regions_of(boundary, axis, single);
+    const auto vertex = [&](int node) {
+        return boundary.lifted(axis.nodes[static_cast<std::size_t>(node)]);
+    };
+    const auto surface = [&](const Region& region) {
+        SplineCurve row = concentric::linear_spline(region.courses, axis.nodes);
+        Eigen::MatrixXd lifted(3, row.count());
+        for (int k = 0; k < row.count(); ++k) {
+            lifted.col(k) = boundary.lifted(row.poles.col(k));
+        }
+        row.poles = std::move(lifted);
+        return concentric::sweep(region.side, row);
+    };
+    FillResult result = concentric::assemble(regions, surface, vertex);
+    for (Patch& patch : result.patches) {
+        patch.exact = boundary.error <= 0.0;
+        patch.fit_error = boundary.error;
+    }
+    return result;
+}
+
+/// The map lifted into space: cubic along the spokes.
+Result<FillResult> fill_curved(const Hole& hole, const Boundary& boundary,
+                               concentric::ConcentricCurve& axis, bool single,
+                               const Tolerance& tolerance) {
+    // Corners get their nodes first: then every course keeps its ends.
+    for (int i = 0; i < boundary.count(); ++i) {
+        concentric::insert_node(axis, i);
+    }
+    if (auto smooth = concentric::make_restful(axis, boundary.planar); !smooth) {
+        return tl::unexpected(named_after_sides(smooth.error(), hole));
+    }
+    const std::vector<Region> regions = concentric::regions_of(boundary, axis, single);
+    auto lift = concentric::Lift::make(hole, boundary, axis, tolerance);
+    if (!lift) {
+        return tl::unexpected(lift.error());
+    }
+    FillResult result = concentric::assemble(
+        regions, [&](const Region& region) { return lift->surface(region); },
+        [&](int node) { return lift->vertex(node); });
+    for (Patch& patch : result.patches) {
+        patch.exact = false;
+        patch.fit_error = std::max(boundary.error, lift->error());
+    }
+    return result;
+}
+
+std::string note(const ConcentricMap& map, bool flat) {
+    return fmt::format(
+        "{} map over a medial axis of {} nodes, its control polygon refined {} times",
+        flat ? "planar" : "lifted", concentric::used_nodes(map.axis), map.refinements);
+}
+
+}  // namespace
+
+std::span<const MethodOption> concentric_options() {
+    static constexpr std::array kOptions = {
+        MethodOption{"faces", OptionKind::Word, "regions|one",
+                     "one face for each side of the hole, or one for all; default regions"},
+        MethodOption{"salience", OptionKind::Number, "SHARE",
+                     "cut branches of the axis that stand out less, as a share of the largest "
+                     "inscribed circle's radius; default 0.1",
+                     0.0},
+        MethodOption{"flatness", OptionKind::Number, "SHARE",
+                     "drop nodes of the axis that bend it less, likewise; default 0.02", 0.0},
+    };
+    return kOptions;
+}
+
+Result<FillResult> fill_concentric(const Hole& hole, const FillOptions& options) {
+    if (!hole.through.empty()) {
+        return fail(ErrorCode::Refused,
+                    "there are {} points to pass through: the spokes leave no freedom for them",
+                    hole.through.size());
+    }
+    const auto boundary = concentric::boundary_of(hole, kFitShare * options.tolerance.linear);
+    if (!boundary) {
+        return tl::unexpected(boundary.error());
+    }
+    const bool single = find_word(options.own, "faces").value_or("regions") == "one";
+    concentric::MapOptions map_options;
+    map_options.salience = find_number(options.own, "salience").value_or(kSalience);
+    map_options.flatness = find_number(options.own, "flatness").value_or(kFlatness);
+    // OCCT reads no border from STEP of which a part is one point.
+    map_options.rest_between_corners = !single;
+    auto map = concentric::concentric_map(boundary->planar, map_options);
+    if (!map) {
+        return tl::unexpected(named_after_sides(map.error(), hole));
+    }
+    const bool flat = is_flat(hole, *boundary, options.tolerance);
+    auto result = flat ? fill_flat(*boundary, map->axis, single)
+                       : fill_curved(hole, *boundary, map->axis, single, options.tolerance);
+    if (result) {
+        result->notes.push_back(note(*map, flat));
+    }
+    return result;
+}
+
+}  // namespace suture

@@ -1,0 +1,175 @@
+#include "suture/fill/concentric/assemble.h"
+
+#include "suture/base/contract.h"
+#include "suture/fill/concentric/sweep.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace suture::concentric {
+namespace {
+
+using Eigen::Vector2d;
+
+/// As a share of a side: knots nearer to each other than this are one.
+constexpr double kSameKnot = 1e-8;
+
+/// All sides as one curve.
+SplineCurve joined_sides(const Boundary& boundary) {
+    SplineCurve all;
+    for (const SplineCurve& side : boundary.sides) {
+        all.degree = std::max(all.degree, side.degree);
+    }
+    for (const SplineCurve& side : boundary.sides) {
+        const SplineCurve raised = elevated(side, all.degree);
+        if (all.knots.empty()) {
+            all = raised;
+            continue;
+        }
+        Eigen::MatrixXd poles(3, all.count() + raised.count() - 1);
+        poles << all.poles, raised.poles.rightCols(raised.count() - 1);
+        all.knots.pop_back();
+        all.knots.insert(all.knots.end(), raised.knots.begin() + raised.degree + 1,
+                         raised.knots.end());
+        all.poles = std::move(poles);
+    }
+    return all;
+}
+
+/// The courses over a range: all on the turn that meets it.
+std::vector<Course> over(const std::vector<Course>& all, double period, double from, double to) {
+    std::vector<Course> found;
+    for (Course course : all) {
+        const double turns = std::floor((0.5 * (course.from + course.to) - from) / period) * period;
+        course.from -= turns;
+        course.to -= turns;
+        for (const double shift : {0.0, -period}) {
+            const Course part{std::max(course.from + shift, from), std::min(course.to + shift, to),
+                              course.start, course.end};
+            if (part.to - part.from > kSameKnot) {
+                found.push_back(part);
+            }
+        }
+    }
+    std::sort(found.begin(), found.end(),
+              [](const Course& a, const Course& b) { return a.from < b.from; });
+    return found;
+}
+
+/// The ends of courses moved to knots of the side that they are next to, and to the range's ends.
+void tidy(std::vector<Course>& courses, const std::vector<double>& knots) {
+    SUTURE_EXPECTS(!courses.empty());
+    for (std::size_t k = 0; k < courses.size(); ++k) {
+        const auto at = std::lower_bound(knots.begin(), knots.end(), courses[k].from - kSameKnot);
+        if (at != knots.end() && *at < courses[k].from + kSameKnot) {
+            courses[k].from = *at;
+        }
+        if (k > 0) {
+            courses[k - 1].to = courses[k].from;
+        }
+    }
+    courses.front().from = knots.front();
+    courses.back().to = knots.back();
+}
+
+TrimCurve line(const Vector2d& from, const Vector2d& to) {
+    return [=](double s) -> Vector2d { return (1.0 - s) * from + s * to; };
+}
+
+/// Numbers the vertices and edges that regions share.
+class Assembly {
+  public:
+    Assembly(const std::vector<Region>& regions, const std::function<Eigen::Vector3d(int)>& vertex)
+        : vertex_(vertex) {
+        for (const Region& region : regions) {
+            seams_[region.first] = static_cast<int>(result_.inner_edges.size());
+            result_.inner_edges.push_back({{0, region.first}, node(region.courses.front().start)});
+        }
+    }
+
+    void add(const Region& region, SplineSurface surface, int last_corner) {
+        std::vector<EdgeUse> wire;
+        for (int side = region.first; side < region.first + region.count; ++side) {
+            wire.push_back({0, side, false, line({side, 0.0}, {side + 1, 0.0}), false});
+        }
+        const double to = region.first + region.count;
+        wire.push_back({-1, seams_.at(last_corner), false, line({to, 0.0}, {to, 1.0}), false});
+        for (auto course = region.courses.rbegin(); course != region.courses.rend(); ++course) {
+            if (course->start == course->end) {
+                wire.back().pole_after = true;
+            } else {
+                wire.push_back(along_axis(*course));
+            }
+        }
+        const double from = region.first;
+        wire.push_back({-1, seams_.at(region.first), true, line({from, 0.0}, {from, 1.0}), false});
+        Patch patch;
+        patch.surface = std::move(surface);
+        patch.wires = {std::move(wire)};
+        result_.patches.push_back(std::move(patch));
+    }
+
+    [[nodiscard]] FillResult take() { return std::move(result_); }
+
+  private:
+    const std::function<Eigen::Vector3d(int)>& vertex_;
+    FillResult result_;
+    std::map<int, int> seams_;  ///< by the corner where they start
+    std::map<int, int> vertices_;
+    std::map<std::pair<int, int>, int> edges_;
+
+    Node node(int number) {
+        const auto [at, is_new] =
+            vertices_.try_emplace(number, static_cast<int>(result_.inner_vertices.size()));
+        if (is_new) {
+            result_.inner_vertices.push_back(vertex_(number));
+        }
+        return {-1, at->second};
+    }
+
+    /// A course is walked against its own direction: the interior lies below.
+    EdgeUse along_axis(const Course& course) {
+        const auto [at, is_new] = edges_.try_emplace(std::minmax(course.start, course.end),
+                                                     static_cast<int>(result_.inner_edges.size()));
+        if (is_new) {
+            result_.inner_edges.push_back({node(course.start), node(course.end)});
+            return {-1, at->second, true, line({course.from, 1.0}, {course.to, 1.0}), false};
+        }
+        return {-1, at->second, false, line({course.to, 1.0}, {course.from, 1.0}), false};
+    }
+};
+
+}  // namespace
+
+std::vector<Region> regions_of(const Boundary& boundary, ConcentricCurve& axis, bool single) {
+    std::vector<Region> regions;
+    if (single) {
+        regions.push_back({0, boundary.count(), joined_sides(boundary), {}});
+    } else {
+        for (int i = 0; i < boundary.count(); ++i) {
+            regions.push_back({i, 1, boundary.sides[static_cast<std::size_t>(i)], {}});
+        }
+    }
+    for (const Region& region : regions) {
+        insert_node(axis, region.first);
+    }
+    const std::vector<Course> all = courses(axis);
+    for (Region& region : regions) {
+        region.courses = over(all, axis.period, region.first, region.first + region.count);
+        tidy(region.courses, region.side.knots);
+    }
+    return regions;
+}
+
+FillResult assemble(const std::vector<Region>& regions,
+                    const std::function<SplineSurface(const Region&)>& surface,
+                    const std::function<Eigen::Vector3d(int node)>& vertex) {
+    Assembly assembly(regions, vertex);
+    for (std::size_t k = 0; k < regions.size(); ++k) {
+        assembly.add(regions[k], surface(regions[k]), regions[(k + 1) % regions.size()].first);
+    }
+    return assembly.take();
+}
+
+}  // namespace suture::concentric

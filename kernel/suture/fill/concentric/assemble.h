@@ -1,0 +1,44 @@
+#pragma once
+
+#include "suture/fill/concentric/boundary.h"
+#include "suture/fill/concentric/concentric_curve.h"
+#include "suture/model/patch.h"
+
+#include <Eigen/Core>
+
+#include <functional>
+#include <vector>
+
+namespace suture::concentric {
+
+/// What becomes a face: the part of the map over some sides of the hole.
+struct Region {
+    int first = 0;                ///< side
+    int count = 1;                ///< of sides
+    SplineCurve side;             ///< the sides as one curve in space on [first, first + count]
+    std::vector<Course> courses;  ///< the concentric curve over them
+};
+
+/// One region for each side of the hole, or a single one for all of them.
+///
+/// Input    axis: gets a node where the seam of each corner ends.
+[[nodiscard]] std::vector<Region> regions_of(const Boundary& boundary, ConcentricCurve& axis,
+                                             bool single);
+
+/// Faces for the regions, which share their seams and the edges of the axis: a seam leads from each
+/// corner of the hole to the axis, and every edge of the axis has a face, or a part of one, on
+/// either side.
+///
+///        node <---- axis ---- node       v = 1
+///         |                    ^
+///         | seam i      seam i+1         interior
+///         v                    |
+///      corner i -- side i --> corner i+1   v = 0
+///
+/// Input    surface: that of a region, whose u is the boundary's parameter; vertex: a node in
+/// space.
+[[nodiscard]] FillResult assemble(const std::vector<Region>& regions,
+                                  const std::function<SplineSurface(const Region&)>& surface,
+                                  const std::function<Eigen::Vector3d(int node)>& vertex);
+
+}  // namespace suture::concentric

@@ -1,0 +1,122 @@
+#include "suture/fill/concentric/concentric_curve.h"
+
+#include "suture/base/contract.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace suture::concentric {
+namespace {
+
+/// As a share of the period: a stop so near to a parameter is at that parameter.
+constexpr double kSameParameter = 1e-9;
+
+}  // namespace
+
+Stop ConcentricCurve::stop(int k) const {
+    Stop stop = stops[static_cast<std::size_t>(k % count())];
+    const double turns = period * (k / count());
+    stop.from += turns;
+    stop.to += turns;
+    return stop;
+}
+
+namespace {
+
+/// The last stop, cyclic, that begins at or before s, and s on that stop's turn.
+std::pair<int, double> stop_before(const ConcentricCurve& curve, double s) {
+    const double first = curve.stops.front().from;
+    double on_turn = s - curve.period * std::floor((s - first) / curve.period);
+    if (on_turn >= first + curve.period) {
+        on_turn -= curve.period;
+    }
+    const auto after =
+        std::upper_bound(curve.stops.begin(), curve.stops.end(), on_turn,
+                         [](double value, const Stop& stop) { return value < stop.from; });
+    const auto k = static_cast<int>(after - curve.stops.begin()) - 1;
+    SUTURE_EXPECTS(k >= 0);
+    return {k, on_turn};
+}
+
+}  // namespace
+
+int used_nodes(const ConcentricCurve& curve) {
+    std::set<int> used;
+    for (const Stop& stop : curve.stops) {
+        used.insert(stop.node);
+    }
+    return static_cast<int>(used.size());
+}
+
+Eigen::Vector2d evaluate(const ConcentricCurve& curve, double s) {
+    const auto [k, at] = stop_before(curve, s);
+    const Stop here = curve.stop(k);
+    const Stop next = curve.stop(k + 1);
+    if (at <= here.to) {
+        return curve.node(here);
+    }
+    const double f = (at - here.to) / (next.from - here.to);
+    return (1.0 - f) * curve.node(here) + f * curve.node(next);
+}
+
+int insert_node(ConcentricCurve& curve, double s) {
+    const auto [k, at] = stop_before(curve, s);
+    const Stop here = curve.stop(k);
+    const Stop next = curve.stop(k + 1);
+    const double same = kSameParameter * curve.period;
+    // A stop that is there but for rounding is moved there: nothing is left between the two.
+    if (at <= here.to + same) {
+        Stop& there = curve.stops[static_cast<std::size_t>(k)];
+        if (std::abs(at - there.to) < same) {
+            there.from = there.from < there.to ? there.from : at;
+            there.to = at;
+        } else if (std::abs(at - there.from) < same) {
+            there.from = at;
+        }
+        return here.node;
+    }
+    if (at >= next.from - same) {
+        Stop& there = curve.stops[static_cast<std::size_t>((k + 1) % curve.count())];
+        const double on_turn = at - (k + 1 == curve.count() ? curve.period : 0.0);
+        there.to = there.from < there.to ? there.to : on_turn;
+        there.from = on_turn;
+        return next.node;
+    }
+    const double f = (at - here.to) / (next.from - here.to);
+    const auto node = static_cast<int>(curve.nodes.size());
+    curve.nodes.push_back((1.0 - f) * curve.node(here) + f * curve.node(next));
+    std::vector<Stop> stops;
+    for (int i = 0; i < curve.count(); ++i) {
+        const Stop a = curve.stop(i);
+        const Stop b = curve.stop(i + 1);
+        stops.push_back(a);
+        if (i == k) {
+            stops.push_back({node, at, at});
+        } else if (a.node == next.node && b.node == here.node) {
+            const double back = a.to + (1.0 - f) * (b.from - a.to);
+            stops.push_back({node, back, back});
+        }
+    }
+    curve.stops = std::move(stops);
+    return node;
+}
+
+std::vector<Course> courses(const ConcentricCurve& curve) {
+    std::vector<Course> pieces;
+    for (int k = 0; k < curve.count(); ++k) {
+        const Stop here = curve.stop(k);
+        const Stop next = curve.stop(k + 1);
+        const bool alone = curve.count() == 1;
+        const double rest = alone ? here.from + curve.period : here.to;
+        if (rest > here.from) {
+            pieces.push_back({here.from, rest, here.node, here.node});
+        }
+        if (!alone && next.from > here.to) {
+            pieces.push_back({here.to, next.from, here.node, next.node});
+        }
+    }
+    return pieces;
+}
+
+}  // namespace suture::concentric

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include <vector>
+
+namespace suture::concentric {
+
+/// What a height field has to meet at one point of the plane.
+struct HeightSample {
+    Eigen::Vector2d at;
+    double height = 0.0;
+    /// A unit direction and the slope in it; a zero direction where the slope is free.
+    Eigen::Vector2d direction = Eigen::Vector2d::Zero();
+    double slope = 0.0;
+};
+
+/// The smooth function over the plane with given heights and slopes: a polyharmonic Hermite
+/// interpolant
+///     z(x) = sum_j a_j phi(x - x_j) - b_j d_j . grad phi(x - x_j) + quadratic,   phi = |x|^5,
+/// which leaves quadratic surfaces as they are.
+///
+/// Source   Wendland, Scattered data approximation, 2005, chapter 16.
+class HeightField {
+  public:
+    explicit HeightField(const std::vector<HeightSample>& samples);
+
+    [[nodiscard]] double height(const Eigen::Vector2d& x) const;
+    [[nodiscard]] Eigen::Vector2d gradient(const Eigen::Vector2d& x) const;
+
+  private:
+    std::vector<HeightSample> samples_;  ///< in units of `scale_` about `centre_`
+    Eigen::VectorXd weights_;
+    Eigen::Vector2d centre_ = Eigen::Vector2d::Zero();
+    double scale_ = 1.0;
+
+    [[nodiscard]] Eigen::Vector2d local(const Eigen::Vector2d& x) const {
+        return (x - centre_) / scale_;
+    }
+};
+
+}  // namespace suture::concentric

@@ -1,0 +1,97 @@
+#pragma once
+
+#include "suture/base/result.h"
+#include "suture/base/tolerance.h"
+#include "suture/fill/tube/course.h"
+#include "suture/fill/tube/net.h"
+#include "suture/fill/tube/radials.h"
+#include "suture/model/ribbon.h"
+
+#include <Eigen/Core>
+
+#include <array>
+#include <vector>
+
+namespace suture::tube {
+
+/// What the tube has to meet at one place of its border.
+struct BorderPoint {
+    Eigen::Vector3d point;
+    Eigen::Vector3d outward;  ///< d: the tube's tangent across the border
+    Eigen::Vector3d normal;   ///< of the neighbour
+    Eigen::Vector3d tangent;  ///< by the parameter around
+    Eigen::Vector2d plane;    ///< where it lies in the layout, if there is one
+};
+
+/// The hole's border as the tube's parameters see it: all sides in a row, [0, length) around.
+class Border {
+  public:
+    /// Input    length: of the parameter around; u: at the border.
+    Border(RibbonLoop around, Radials radials, const Eigen::Vector3d& pole, double length,
+           double u);
+
+    [[nodiscard]] bool has_layout() const { return radials_.is_developed(); }
+    [[nodiscard]] int sides() const { return static_cast<int>(courses_.size()); }
+    [[nodiscard]] const Ribbon& ribbon(int side) const {
+        return loop_.ribbons[static_cast<std::size_t>(side)];
+    }
+    [[nodiscard]] const Course& course(int side) const {
+        return courses_[static_cast<std::size_t>(side)];
+    }
+    [[nodiscard]] double start(int side) const { return starts_[static_cast<std::size_t>(side)]; }
+    [[nodiscard]] double extent(int side) const {
+        return starts_[static_cast<std::size_t>(side) + 1] - start(side);
+    }
+    [[nodiscard]] double s_of(int side, double v) const;
+    [[nodiscard]] double v_of(int side, double s) const;
+    /// v counts from the side's start.
+    [[nodiscard]] BorderPoint at(int side, double v) const;
+    /// Where a side begins: the mean of what it and the side before it have there.
+    [[nodiscard]] BorderPoint corner(int side) const;
+    /// The angle between the border's two directions there.
+    [[nodiscard]] double turn(int side) const;
+
+  private:
+    RibbonLoop loop_;
+    Radials radials_;
+    Eigen::Vector3d pole_;
+    double u_;
+    std::vector<Course> courses_;
+    std::vector<double> starts_;
+    /// What is added to the unit vector away from the pole at both ends of a side that is met in
+    /// position only.
+    std::vector<std::array<Eigen::Vector3d, 2>> bends_;
+
+    [[nodiscard]] Eigen::Vector3d outward(int side, double s, const RibbonPoint& at) const;
+};
+
+/// The intervals of each side, in the parameter around.
+using Divisions = std::vector<std::vector<double>>;
+
+/// The border's two rows on a net with a double knot at each corner: columns that interpolate the
+/// border and its outward tangents in the middle of each interval.
+///
+/// Result   points and outward tangents of every column, 3 x columns each.
+struct BorderRows {
+    Ring ring;
+    Eigen::Matrix3Xd points, outward;
+    Eigen::Matrix2Xd plane;  ///< empty without a layout
+};
+[[nodiscard]] BorderRows fit_border(const Border& border, const Divisions& divisions);
+
+/// How well a net with these rows meets the sides, on the intervals of one side.
+struct BorderError {
+    double gap = 0.0;
+    double angle = 0.0;  ///< between the normals; only where the side asks for it
+};
+[[nodiscard]] std::vector<std::vector<BorderError>> measure_border(const Border& border,
+                                                                   const Divisions& divisions,
+                                                                   const BorderRows& rows);
+
+/// Divides the sides until the border is met within the tolerance.
+///
+/// Input    first: the intervals next to the corners are no longer than this, if they turn there
+/// Result   fewer divisions than the tolerance needs where kMostColumns are not enough
+[[nodiscard]] Divisions divide(const Border& border, const Tolerance& tolerance, double first);
+
+}  // namespace suture::tube

@@ -1,0 +1,15 @@
+#pragma once
+
+#include "cli/command.h"
+#include "cli/fill_model.h"
+
+#include <memory>
+
+namespace suture::cli {
+
+/// Lets the HTML report of `fill` show the model before and after, and every edge of the filled one
+/// in memory with its figures, measured when the report is asked for.
+void add_fill_page(const Command& command, const std::shared_ptr<const FillSummary>& summary,
+                   const Tolerance& tolerance, Outcome& outcome);
+
+}  // namespace suture::cli

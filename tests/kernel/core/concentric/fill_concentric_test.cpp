@@ -1,0 +1,232 @@
+#include "support/ribbon_zoo.h"
+#include "support/windows.h"
+#include "suture/fill/concentric.h"
+
+#include "kernel/core/concentric/shapes.h"
+#include <gtest/gtest.h>
+
+#include <map>
+
+namespace suture {
+namespace {
+
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+
+/// How well the patches meet the ribbons and each other.
+struct Fit {
+    double gap = 0.0;
+    double angle = 0.0;        ///< to the ribbons' normals
+    double inner_gap = 0.0;    ///< between the two uses of an inner edge
+    double inner_angle = 0.0;  ///< away from its ends
+    double seam_angle = 0.0;   ///< likewise, of the edges that start in a corner of the hole
+};
+
+double angle_between(const Vector3d& a, const Vector3d& b) {
+    return std::atan2(a.cross(b).norm(), a.dot(b));
+}
+
+Vector3d normal_at(const Surface& surface, const Vector2d& uv) {
+    const SurfaceJet jet = evaluate(surface, uv.x(), uv.y());
+    return jet.u.cross(jet.v).normalized();
+}
+
+Vector3d point_at(const Surface& surface, const Vector2d& uv) {
+    return evaluate(surface, uv.x(), uv.y()).point;
+}
+
+Fit fit_of(const Hole& hole, const FillResult& fill) {
+    Fit fit;
+    std::map<int, std::vector<std::pair<const Patch*, const EdgeUse*>>> inner;
+    for (const Patch& patch : fill.patches) {
+        for (const EdgeUse& use : patch.wires.front()) {
+            if (use.loop < 0) {
+                inner[use.index].emplace_back(&patch, &use);
+                continue;
+            }
+            const Ribbon& ribbon = hole.loops[0].ribbons[static_cast<std::size_t>(use.index)];
+            for (int k = 1; k < 40; ++k) {
+                const RibbonPoint p = ribbon.at(k / 40.0);
+                const Vector2d uv = use.at(k / 40.0);
+                fit.gap = std::max(fit.gap, (point_at(patch.surface, uv) - p.point).norm());
+                fit.angle =
+                    std::max(fit.angle, angle_between(normal_at(patch.surface, uv), p.normal));
+            }
+        }
+    }
+    EXPECT_EQ(inner.size(), fill.inner_edges.size());
+    for (const auto& [index, uses] : inner) {
+        const InnerEdge& edge = fill.inner_edges[static_cast<std::size_t>(index)];
+        EXPECT_EQ(uses.size(), 2U);
+        EXPECT_NE(uses[0].second->backwards, uses[1].second->backwards);
+        for (int k = 0; k <= 20; ++k) {
+            const double s = k / 20.0;
+            Vector3d points[2];
+            Vector3d normals[2];
+            for (int i = 0; i < 2; ++i) {
+                const auto& [patch, use] = uses[static_cast<std::size_t>(i)];
+                points[i] = point_at(patch->surface, use->at(s));
+                Vector2d uv = use->at(s);
+                uv.y() = std::min(uv.y(), 1.0 - 1e-5);
+                normals[i] = normal_at(patch->surface, uv);
+            }
+            fit.inner_gap = std::max(fit.inner_gap, (points[0] - points[1]).norm());
+            if (k > 0 && k < 20) {
+                double& angle = edge.from.loop >= 0 ? fit.seam_angle : fit.inner_angle;
+                angle = std::max(angle, angle_between(normals[0], normals[1]));
+            }
+            const Node& end = s < 0.5 ? edge.from : edge.to;
+            if ((k == 0 || k == 20) && end.loop < 0) {
+                const Vector3d& vertex = fill.inner_vertices[static_cast<std::size_t>(end.index)];
+                fit.inner_gap = std::max(fit.inner_gap, (points[0] - vertex).norm());
+            }
+        }
+    }
+    return fit;
+}
+
+/// A polygon in a tilted plane, as the end of a prism: its walls are across.
+Hole opening(const shapes::Points& points, double scale = 1.0) {
+    const Frame frame = windows::tilted(scale);
+    Hole hole;
+    auto& ribbons = hole.loops.emplace_back().ribbons;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const Vector2d a = scale * points[i];
+        const Vector2d b = scale * points[(i + 1) % points.size()];
+        Ribbon ribbon;
+        ribbon.edge = ribbon.face = static_cast<int>(i) + 1;
+        ribbon.continuity = Continuity::G0;
+        ribbon.at = [=](double s) {
+            const Vector2d p = (1.0 - s) * a + s * b;
+            RibbonPoint point;
+            point.point = frame.origin + p.x() * frame.x + p.y() * frame.y;
+            point.tangent = (b - a).x() * frame.x + (b - a).y() * frame.y;
+            point.inward = frame.z;
+            point.normal = point.tangent.normalized().cross(frame.z);
+            point.curvature.setZero();
+            return point;
+        };
+        SplineCurve line{1, {0, 0, 1, 1}, Eigen::MatrixXd(3, 2)};
+        line.poles << ribbon.at(0.0).point, ribbon.at(1.0).point;
+        ribbon.curve = line;
+        ribbons.push_back(ribbon);
+    }
+    hole.diameter = windows::diameter_of(hole);
+    return hole;
+}
+
+FillOptions with_faces(const std::string& word) {
+    FillOptions options;
+    options.own["faces"] = {OptionKind::Word, {}, word};
+    return options;
+}
+
+TEST(FillConcentric, CapsPolygonsWithOneFaceForEachSide) {
+    for (const auto& points : {shapes::rectangle(), shapes::letter_l(), shapes::letter_t(),
+                               shapes::arrow(), shapes::pentagon(), shapes::comb(4, 2.0)}) {
+        for (const double scale : {1e-3, 1.0, 1e3}) {
+            const Hole hole = opening(points, scale);
+            const auto fill = fill_concentric(hole, {});
+            ASSERT_TRUE(fill) << fill.error().message;
+            EXPECT_EQ(fill->patches.size(), points.size());
+            const Fit fit = fit_of(hole, *fill);
+            EXPECT_LT(fit.gap, 1e-14 * 20.0 * scale);
+            EXPECT_LT(fit.inner_gap, 1e-12 * scale);
+            EXPECT_LT(fit.inner_angle, 1e-6);
+            EXPECT_LT(fit.seam_angle, 1e-6);
+            for (const Patch& patch : fill->patches) {
+                EXPECT_TRUE(patch.exact);
+                const auto& spline = std::get<SplineSurface>(patch.surface);
+                EXPECT_EQ(spline.degree_u, 1);
+                EXPECT_EQ(spline.degree_v, 1);
+                const Vector3d n = normal_at(patch.surface, {spline.knots_u.front() + 0.37, 0.4});
+                EXPECT_LT(angle_between(n, windows::tilted().z), 1e-6);
+            }
+        }
+    }
+}
+
+TEST(FillConcentric, CapsWithOneFaceForAllSides) {
+    for (const auto& points : {shapes::rectangle(), shapes::letter_t(), shapes::arrow()}) {
+        const Hole hole = opening(points);
+        const auto fill = fill_concentric(hole, with_faces("one"));
+        ASSERT_TRUE(fill) << fill.error().message;
+        ASSERT_EQ(fill->patches.size(), 1U);
+        const Fit fit = fit_of(hole, *fill);
+        EXPECT_LT(fit.gap, 1e-13);
+        EXPECT_LT(fit.inner_gap, 1e-13);
+    }
+}
+
+TEST(FillConcentric, CapsAClosedEdgeWithAPole) {
+    const Plane plane{windows::tilted()};
+    for (const int sides : {1, 2, 5}) {
+        for (const double width : {1.0, 2.5}) {
+            Hole hole = windows::window_in(plane, {{4, -2}, {3, 3 * width}, sides, false});
+            const auto fill = fill_concentric(hole, {});
+            ASSERT_TRUE(fill) << fill.error().message;
+            EXPECT_EQ(fill->patches.size(), static_cast<std::size_t>(sides));
+            const Fit fit = fit_of(hole, *fill);
+            EXPECT_LT(fit.gap, 1e-6);
+            EXPECT_NEAR(fit.gap, fill->patches.front().fit_error, fill->patches.front().fit_error);
+            EXPECT_LT(fit.angle, 1e-6);
+            EXPECT_LT(fit.inner_gap, 1e-12);
+        }
+    }
+}
+
+TEST(FillConcentric, ClosesGentlyCurvedHolesTangentToTheirNeighbours) {
+    struct Case {
+        std::string name;
+        zoo::Surface surface;
+        double seam;  ///< degrees: largest crease along the seams of the corners
+    };
+    const Case cases[] = {{"paraboloid", zoo::graph([](const zoo::Jet& u, const zoo::Jet& v) {
+                               return zoo::Jet(0.3) * u * u + zoo::Jet(0.1) * u * v -
+                                      zoo::Jet(0.2) * v * v;
+                           }),
+                           0.2},
+                          {"saddle", zoo::saddle(0.4), 0.2},
+                          {"wavy", zoo::wavy(0.05, 2.0), 1.0}};
+    for (const Case& c : cases) {
+        SCOPED_TRACE(c.name);
+        for (const auto& curves :
+             {zoo::star({0.1, 0.2}, 0.8, 0.2, 3, 4), zoo::regular({0, 0}, 0.9, 5),
+              zoo::concave({0, 0}, 0.7), zoo::circle({0, 0}, 0.7, 1)}) {
+            const Hole hole = zoo::window(c.surface, curves);
+            const auto fill = fill_concentric(hole, {});
+            ASSERT_TRUE(fill) << fill.error().message;
+            const Fit fit = fit_of(hole, *fill);
+            EXPECT_LT(fit.gap, 1e-6);
+            EXPECT_LT(degrees(fit.angle), 0.01);
+            EXPECT_LT(fit.inner_gap, 1e-6);
+            EXPECT_LT(degrees(fit.inner_angle), 0.05);
+            EXPECT_LT(degrees(fit.seam_angle), c.seam);
+        }
+    }
+}
+
+TEST(FillConcentric, RefusesIslandsPointsAndSteepNeighboursNamingThem) {
+    const Plane plane{windows::tilted()};
+    Hole hole = windows::window_in(plane, {{0, 0}, {3, 2}, 4, false});
+    hole.loops.push_back(windows::window_in(plane, {{0, 0}, {1, 1}, 2, true}).loops[0]);
+    hole.loops[1].ribbons[0].edge = 77;
+    const auto island = fill_concentric(hole, {});
+    ASSERT_FALSE(island);
+    EXPECT_NE(island.error().message.find("edge 77"), std::string::npos) << island.error().message;
+
+    Hole through = opening(shapes::rectangle());
+    through.through.emplace_back(0, 0, 0);
+    EXPECT_FALSE(fill_concentric(through, {}));
+
+    Hole steep = opening(shapes::rectangle());
+    steep.loops[0].ribbons[2].continuity = Continuity::G1;
+    const auto lean = fill_concentric(steep, {});
+    ASSERT_FALSE(lean);
+    EXPECT_NE(lean.error().message.find("edge 3 (face 3)"), std::string::npos)
+        << lean.error().message;
+    EXPECT_NE(lean.error().message.find("90.0 deg"), std::string::npos) << lean.error().message;
+}
+
+}  // namespace
+}  // namespace suture
