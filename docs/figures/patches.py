@@ -17,7 +17,7 @@ import numpy as np
 import Part
 from PIL import Image, ImageDraw
 
-PANE = 240
+PANE = 180
 
 # title, sides, layers, columns, options
 PANES = (
