@@ -159,4 +159,5 @@ def main():
     sheet.save(options.picture)
 
 
-main()
+if __name__ == "__main__":
+    main()

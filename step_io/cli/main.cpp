@@ -2,6 +2,7 @@
 #include "cli/arguments.h"
 #include "cli/command.h"
 #include "cli/options.h"
+#include "cli/patch.h"
 #include "cli/report_html.h"
 #include "cli/report_json.h"
 #include "cli/text_file.h"
@@ -232,6 +233,8 @@ int run_program(const std::vector<std::string>& words) {
     const std::vector<std::shared_ptr<Command>> commands{
         add_inspect(app), add_fill(app), add_check(app),    add_convert(app),
         add_methods(app), add_demo(app), add_algebraic(app)};
+        add_inspect(app), add_fill(app),    add_check(app), add_convert(app),
+        add_patch(app),   add_methods(app), add_demo(app)};
     try {
         std::vector<std::string> reversed = join_number_lists(words);
         std::reverse(reversed.begin(), reversed.end());  // as CLI11 wants them

@@ -2,6 +2,7 @@
 #include "suture/fill/concentric.h"
 #include "suture/fill/extend.h"
 #include "suture/fill/fill.h"
+#include "suture/fill/manifold.h"
 #include "suture/fill/mvs.h"
 #include "suture/fill/plane.h"
 #include "suture/fill/tube.h"
@@ -31,6 +32,11 @@ std::span<const FillMethod> fill_methods() {
         FillMethod{"tube", "A tube around the hole that closes in a point, as one face",
                    "Szilvasi-Nagy, Filling holes with B-spline surfaces, 2002", "1 loop",
                    Continuity::G1, &fill_tube, kTubeOptions, /*in_auto=*/false},
+        FillMethod{"manifold", "C^k patch of a star-shaped net, B-spline along its border",
+                   "Cotrina-Navau, Pla-Garcia & Vigo-Anglada, N-sided patches with B-spline "
+                   "boundaries, 2001",
+                   "3 and more", Continuity::G2, &fill_manifold, kManifoldOptions,
+                   /*in_auto=*/false},
     };
     return kMethods;
 }

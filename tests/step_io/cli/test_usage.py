@@ -6,6 +6,7 @@ import subprocess
 from program import DONE, NOTHING, PROGRAM, USAGE, Case, example, run
 
 COMMANDS = ("inspect", "fill", "check", "convert", "methods", "demo", "algebraic")
+COMMANDS = ("inspect", "fill", "check", "convert", "patch", "methods", "demo")
 
 
 class Usage(Case):

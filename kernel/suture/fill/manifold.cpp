@@ -1,0 +1,190 @@
+#include "suture/fill/manifold.h"
+
+#include "suture/base/tolerance.h"
+#include "suture/fill/manifold/border_fit.h"
+#include "suture/fill/manifold/centre.h"
+#include "suture/fill/manifold/layout.h"
+#include "suture/fill/manifold/ring.h"
+#include "suture/fill/manifold/sides.h"
+#include "suture/fill/manifold/star_border.h"
+
+#include <algorithm>
+#include <functional>
+#include <optional>
+
+namespace suture {
+namespace {
+
+using namespace manifold;
+
+/// How far the quads of the middle may be off, as a share of the hole's diameter.
+constexpr double kFit = 1e-6;
+constexpr int kMostSpans = 64;
+
+/// The layers to begin with, and those from which nets become too large to be opened.
+constexpr int kFirstLayers = 8;
+constexpr int kMostLayers = 30;
+
+int order_of(const FillOptions& options) {
+    return find_count(options.own, "k").value_or(2);
+}
+
+/// A surface with some number of layers, fitted to the border.
+struct Fitted {
+    int layers = 0;
+    BorderFit border;
+};
+
+/// Adds layers until the border is within half of the tolerance: the other half is for what comes
+/// after.
+Result<Fitted> fit_layers(const Hole& hole, const FillOptions& options, const Sides& sides,
+                          int least, const std::function<Result<BorderModel>(int layers)>& model) {
+    const auto asked = find_count(options.own, "layers");
+    int layers = asked.value_or(std::max(kFirstLayers, least));
+    std::optional<Fitted> best;
+    double best_score = 0.0;
+    Error error;
+    for (;;) {
+        if (options.progress.cancelled()) {
+            return fail(ErrorCode::Cancelled, "stopped while filling");
+        }
+        const auto border = model(layers);
+        if (!border) {
+            return tl::unexpected(border.error());
+        }
+        auto fit = fit_border(*border, hole, sides);
+        if (fit) {
+            const double score = std::max(fit->gap / options.tolerance.linear,
+                                          fit->angle / options.tolerance.angular);
+            if (!best || score < best_score) {
+                best = Fitted{layers, std::move(*fit)};
+                best_score = score;
+            }
+        } else {
+            error = fit.error();
+        }
+        constexpr double kEnough = 0.5;
+        const int more = layers * 3 / 2;
+        if (asked || more > kMostLayers || (best && best_score <= kEnough)) {
+            return best ? Result<Fitted>(*best) : tl::unexpected(error);
+        }
+        layers = more;
+    }
+}
+
+std::string note_on(const Fitted& fitted, int k, std::string_view what) {
+    return fmt::format("k = {}, {}, {} layers; along the border gap {:.2g}, angle {:.2g} deg", k,
+                       what, fitted.layers, fitted.border.gap, degrees(fitted.border.angle));
+}
+
+Result<FillResult> fill_star(const Hole& hole, const FillOptions& options, const Sides& sides) {
+    const int n = static_cast<int>(sides.sides.size());
+    StarSize size;
+    size.k = order_of(options);
+    size.columns.assign(sides.sides.size(), 1);
+    size.aperture = find_number(options.own, "aperture").value_or(0.0);
+    const auto star_of = [&](int layers) {
+        size.layers = layers;
+        return Star::make(size);
+    };
+    // Strips need a width, and the wider they are the smaller is the middle, which is fitted.
+    const int least = 2 * Star::least_layers(size.k, n);
+    const auto fitted =
+        fit_layers(hole, options, sides, least, [&](int layers) -> Result<BorderModel> {
+            const auto star = star_of(layers);
+            if (!star) {
+                return tl::unexpected(star.error());
+            }
+            return border_model(*star, hole.diameter);
+        });
+    if (!fitted) {
+        return tl::unexpected(fitted.error());
+    }
+    const Star star = star_of(fitted->layers).value();
+    const StarSurface surface(star, fitted->border.points);
+    const BorderModel model = border_model(star, hole.diameter);
+    const Centre centre = fit_centre(surface, kFit * hole.diameter, kMostSpans);
+    std::vector<std::vector<SideEdge>> edges;
+    for (int m = 0; m < n; ++m) {
+        std::vector<SideEdge>& side = edges.emplace_back();
+        for (const Piece& piece : sides.sides[static_cast<std::size_t>(m)].pieces) {
+            side.push_back(
+                {piece.ribbon, [model, m, piece](double s) { return model.y_of(m, piece, s); }});
+        }
+    }
+    FillResult result = lay_out(surface, centre, edges);
+    result.notes.push_back(
+        note_on(*fitted, star.k(), fmt::format("{} sides, aperture {:.3g}", n, star.aperture())) +
+        fmt::format("; the middle is fitted to {:.2g}", centre.error));
+    return result;
+}
+
+/// One exact patch whose sides go all the way around, with a seam to the apex.
+FillResult lay_out_ring(const SplineSurface& spline, const BorderModel& model, const Side& side) {
+    const double border = spline.knots_u.back();
+    const double turn = spline.knots_v.back();
+    FillResult result;
+    result.inner_vertices = {evaluate(spline, 0.0, 0.0).point};
+    result.inner_edges = {{{0, side.pieces.front().ribbon}, {-1, 0}}};
+    Patch patch;
+    patch.surface = spline;
+    std::vector<EdgeUse>& wire = patch.wires.emplace_back();
+    for (const Piece& piece : side.pieces) {
+        wire.push_back(
+            {0, piece.ribbon, false, [border, model, piece](double s) -> Eigen::Vector2d {
+                 return {border, model.y_of(0, piece, s)};
+             }});
+    }
+    const auto seam = [border](double y) -> TrimCurve {
+        return [border, y](double s) -> Eigen::Vector2d { return {border * (1.0 - s), y}; };
+    };
+    wire.push_back({-1, 0, false, seam(turn), /*pole_after=*/true});
+    wire.push_back({-1, 0, true, seam(0.0)});
+    result.patches.push_back(std::move(patch));
+    return result;
+}
+
+Result<FillResult> fill_ring(const Hole& hole, const FillOptions& options, const Sides& sides) {
+    constexpr int kLeastOrder = 2;
+    const int k = order_of(options);
+    if (k < kLeastOrder) {
+        return fail(ErrorCode::Refused, "the hole has no corner: a ring needs k of at least {}",
+                    kLeastOrder);
+    }
+    const auto ring_of = [&](int layers) {
+        constexpr int kColumnsPerLayer = 4;
+        return Ring(k, layers, kColumnsPerLayer * layers);
+    };
+    const auto fitted =
+        fit_layers(hole, options, sides, k + 2, [&](int layers) -> Result<BorderModel> {
+            return ring_of(layers).border_model(hole.diameter);
+        });
+    if (!fitted) {
+        return tl::unexpected(fitted.error());
+    }
+    const Ring ring = ring_of(fitted->layers);
+    FillResult result = lay_out_ring(ring.spline(fitted->border.points),
+                                     ring.border_model(hole.diameter), sides.sides.front());
+    result.notes.push_back(note_on(*fitted, k, "a ring closed at an apex"));
+    return result;
+}
+
+}  // namespace
+
+Result<FillResult> fill_manifold(const Hole& hole, const FillOptions& options) {
+    if (!hole.through.empty()) {
+        return fail(ErrorCode::Refused, "manifold passes through no inner points, {} are given",
+                    hole.through.size());
+    }
+    const auto sides = find_sides(hole);
+    if (!sides) {
+        return tl::unexpected(sides.error());
+    }
+    auto result = sides->ring ? fill_ring(hole, options, *sides) : fill_star(hole, options, *sides);
+    if (result) {
+        result->notes.insert(result->notes.begin(), sides->notes.begin(), sides->notes.end());
+    }
+    return result;
+}
+
+}  // namespace suture

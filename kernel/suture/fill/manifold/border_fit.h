@@ -1,0 +1,52 @@
+#pragma once
+
+#include "suture/base/result.h"
+#include "suture/fill/manifold/sides.h"
+#include "suture/model/ribbon.h"
+
+#include <Eigen/Core>
+#include <Eigen/SparseCore>
+
+#include <functional>
+#include <vector>
+
+namespace suture::manifold {
+
+/// The border of a surface at one place: the control points that act there, and how.
+struct BorderRow {
+    std::vector<int> points;
+    Eigen::MatrixXd weights;  ///< S, S_x, S_y, S_xx as rows of weights of these points
+};
+
+/// A surface whose border is to follow ribbons: x leads outwards, y along the border.
+struct BorderModel {
+    int k = 2;
+    int points = 0;                      ///< how many control points there are
+    std::vector<double> intervals;       ///< knot intervals along each side
+    std::vector<double> low, high;       ///< the range of y on each side
+    double depth = 1.0;                  ///< how far a unit of x leads, in model units, roughly
+    Eigen::SparseMatrix<double> energy;  ///< of one coordinate of the points
+    std::function<BorderRow(int side, double y)> row;
+
+    /// y on a side of a piece's ribbon at its parameter s.
+    [[nodiscard]] double y_of(int side, const Piece& piece, double s) const;
+};
+
+/// Control points whose border follows the ribbons.
+struct BorderFit {
+    Eigen::Matrix3Xd points;
+    double gap = 0.0;    ///< largest distance from the ribbons, between the fitted samples
+    double angle = 0.0;  ///< largest angle from the neighbours' tangent planes, where wanted
+};
+
+/// Least squares over the border's samples
+///     |S - c|^2 + (weight / depth)^2 ((n . S_x)^2 [+ (n . S_xx - II(S_x, S_x))^2])
+/// plus a small multiple of the net's energy. Linear but for G2, which takes Gauss-Newton steps.
+///
+/// Input    the model has one side for each of `sides`, in the same order.
+/// Refuses  a system that cannot be factorised; a border that faces the other way than the
+///          neighbours.
+[[nodiscard]] Result<BorderFit> fit_border(const BorderModel& model, const Hole& hole,
+                                           const Sides& sides);
+
+}  // namespace suture::manifold

@@ -1,0 +1,38 @@
+#pragma once
+
+#include "suture/base/result.h"
+#include "suture/model/ribbon.h"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace suture::manifold {
+
+/// A piece of a side: one ribbon and the share of the side's length that it covers.
+struct Piece {
+    int ribbon = 0;
+    double from = 0.0;
+    double to = 1.0;
+    std::function<double(double s)> along;  ///< length from the ribbon's start over its whole
+};
+
+/// What lies between two corners of the hole: ribbons that run on into each other.
+struct Side {
+    std::vector<Piece> pieces;
+    double length = 0.0;
+};
+
+/// The sides of a hole, in the order of its loop.
+struct Sides {
+    std::vector<Side> sides;
+    bool ring = false;               ///< no corner at all: one side that goes all the way around
+    std::vector<std::string> notes;  ///< corners whose two neighbours disagree
+};
+
+/// Splits the loop at its corners: where the interior angle is below 155 degrees.
+///
+/// Refuses  several loops; a ribbon of no length; a reflex corner; one or two corners.
+[[nodiscard]] Result<Sides> find_sides(const Hole& hole);
+
+}  // namespace suture::manifold

@@ -1,0 +1,54 @@
+#include "suture/fill/manifold/star_border.h"
+
+#include "suture/fill/manifold/layout.h"
+#include "suture/fill/manifold/net_energy.h"
+#include "suture/spline/knots.h"
+
+namespace suture::manifold {
+namespace {
+
+/// Of the second differences against the third.
+constexpr double kFlatWeight = 1e-3;
+
+BorderRow row_at(const Star& star, int m, double y) {
+    BorderRow row;
+    const int degree = star.degree();
+    const std::vector<double>& kx = star.knots_x(m);
+    const std::vector<double>& ky = star.knots_y(m);
+    const double x = star.border(m);
+    const int span_x = find_span(kx, degree, x);
+    const int span_y = find_span(ky, degree, y);
+    const Eigen::MatrixXd bx = basis_derivatives(kx, degree, span_x, x, 2);
+    const Eigen::MatrixXd by = basis_derivatives(ky, degree, span_y, y, 1);
+    const int width = degree + 1;
+    row.weights.resize(4, width * width);
+    for (int b = 0; b < width; ++b) {
+        for (int a = 0; a < width; ++a) {
+            row.points.push_back(star.point_of(m, span_x - degree + a, span_y - degree + b));
+            row.weights.col(a + width * b) << bx(0, a) * by(0, b), bx(1, a) * by(0, b),
+                bx(0, a) * by(1, b), bx(2, a) * by(0, b);
+        }
+    }
+    return row;
+}
+
+}  // namespace
+
+BorderModel border_model(const Star& star, double diameter) {
+    BorderModel model;
+    model.k = star.k();
+    model.points = star.count();
+    for (int m = 0; m < star.n(); ++m) {
+        model.intervals.push_back(2.0 * star.layers() + star.columns(m));
+        model.low.push_back(lower_end(star, m));
+        model.high.push_back(upper_end(star, m));
+    }
+    // From the border to the middle it is about a third of the diameter.
+    constexpr double kShare = 0.35;
+    model.depth = kShare * diameter / star.border(0);
+    model.energy = net_energy(star, kFlatWeight);
+    model.row = [star](int m, double y) { return row_at(star, m, y); };
+    return model;
+}
+
+}  // namespace suture::manifold

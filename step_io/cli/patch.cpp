@@ -1,0 +1,190 @@
+#include "cli/patch.h"
+
+#include "cli/arguments.h"
+#include "cli/options.h"
+#include "cli/report_json.h"
+#include "files/new_model.h"
+#include "files/read_obj.h"
+#include "files/write.h"
+#include "suture/check/continuity.h"
+#include "suture/check/validity.h"
+#include "suture/faces/make_shell.h"
+#include "suture/fill/manifold/layout.h"
+#include "suture/fill/manifold/star_mesh.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace suture::cli {
+namespace {
+
+using namespace suture::manifold;
+
+constexpr CommandHelp kHelp{
+    "Make a smooth n-sided patch from a control mesh",
+    "Make the C^k patch of a control mesh: layers of quads around a hole of 3 or more sides, in an "
+    "OBJ file. The hole's corners are its vertices of valence 4, the outer border has as many of "
+    "valence 2. The patch follows the mesh as a B-spline follows its control points, and along its "
+    "border it is one B-spline of degree k + 1.",
+    "  suture patch star.obj -o star.step                   k = 2\n"
+    "  suture patch star.obj --k 3 --aperture 0.5 -o star.step\n"
+    "Exit codes: 0 done, 1 wrong usage, 2 no such mesh, 4 done but out of tolerance or invalid, "
+    "5 the output cannot be written.\n"};
+
+struct PatchOptions {
+    std::filesystem::path output;
+    int k = 2;
+    double aperture = 0.0;
+    double tolerance = 1e-6;  ///< relative to the diameter
+    bool force = false;
+    io::Format format = io::Format::Step;
+};
+
+/// With more spans than these in a quad a file holds more than anyone wants to open; kinks (k = 0)
+/// are followed by none.
+int most_spans(int k) {
+    constexpr int kMany = 64;
+    constexpr int kFew = 16;
+    return k > 0 ? kMany : kFew;
+}
+
+Result<void> validate(Command& command, PatchOptions& options) {
+    const Result<io::Format> format = io::format_of_extension(options.output);
+    if (!format) {
+        return tl::unexpected(format.error());
+    }
+    options.format = *format;
+    command.outputs = {options.output};
+    command.one_output = true;
+    if (options.k < 0 || options.k > 4) {
+        return fail(ErrorCode::Usage, "--k is 0 to 4, not {}", options.k);
+    }
+    if (options.aperture != 0.0) {
+        if (auto positive = expect_positive("--aperture", options.aperture); !positive) {
+            return positive;
+        }
+    }
+    if (auto positive = expect_positive("--tolerance", options.tolerance); !positive) {
+        return positive;
+    }
+    return expect_writable("-o", options.output, command.input, options.force);
+}
+
+/// What is measured on the finished shell.
+struct Measured {
+    double max_gap = 0.0;
+    double max_angle = 0.0;
+    Validity validity;
+};
+
+Result<Measured> measure(const TopoDS_Shape& shell, const Progress& progress) {
+    const auto report = measure_continuity(shell, Profile(), {}, progress);
+    if (!report) {
+        return tl::unexpected(report.error());
+    }
+    Measured measured;
+    for (const EdgeContinuity& edge : report->edges) {
+        measured.max_gap = std::max(measured.max_gap, edge.max_gap);
+        measured.max_angle = std::max(measured.max_angle, edge.max_angle);
+    }
+    measured.validity = measure_validity(shell);
+    return measured;
+}
+
+Result<Outcome> patch(Run& run, const Command& command, const PatchOptions& options) {
+    Progress progress = run.stage(Stage::Reading, "reading", 0.0, 0.1);
+    auto mesh = io::read_obj(command.input);
+    if (!mesh) {
+        return tl::unexpected(mesh.error());
+    }
+    const double diameter =
+        (mesh->vertices.rowwise().maxCoeff() - mesh->vertices.rowwise().minCoeff()).norm();
+    const auto star_mesh = recognise_star(std::move(*mesh));
+    if (!star_mesh) {
+        return fail(ErrorCode::Unreadable, "{}: {}", command.input.string(),
+                    star_mesh.error().message);
+    }
+    const auto star = Star::make(star_mesh->size(options.k, options.aperture));
+    if (!star) {
+        return fail(ErrorCode::Unreadable, "{}: {}", command.input.string(), star.error().message);
+    }
+    progress = run.stage(Stage::Filling, "fitting the middle", 0.1, 0.6);
+    const Stopwatch watch;
+    const StarSurface surface(*star, star_mesh->points(*star));
+    const Centre centre = fit_centre(surface, options.tolerance * diameter, most_spans(options.k));
+    const auto shell = make_shell(lay_out(surface, centre, {}));
+    if (!shell) {
+        return tl::unexpected(shell.error());
+    }
+    const double seconds = watch.seconds();
+    progress = run.stage(Stage::Checking, "measuring edges", 0.6, 0.8);
+    const auto measured = measure(*shell, progress);
+    if (!measured) {
+        return tl::unexpected(measured.error());
+    }
+    progress = run.stage(Stage::Writing, "writing " + options.output.filename().string(), 0.8, 1.0);
+    const auto model = io::make_model(*shell, command.input.stem().string());
+    if (!model) {
+        return tl::unexpected(model.error());
+    }
+    const auto written = io::write_model(*model, options.output, options.format, {});
+    if (!written) {
+        return tl::unexpected(written.error());
+    }
+    const bool fitted = centre.error <= options.tolerance * diameter;
+    Outcome outcome;
+    outcome.exit_code = fitted && measured->validity.valid ? kDone : kOutOfTolerance;
+    outcome.verdict = fmt::format(
+        "wrote {}: {} sides, {} layers, k = {}, aperture {:.4g}; {}, fit error {:.3g}, largest gap "
+        "{:.3g}, angle {:.3g} deg",
+        options.output.string(), star->n(), star->layers(), star->k(), star->aperture(),
+        counted(measured->validity.faces, "face"), centre.error, measured->max_gap,
+        degrees(measured->max_angle));
+    outcome.document = {{"output", options.output.string()},
+                        {"output_format", io::to_string(options.format)},
+                        {"sides", star->n()},
+                        {"layers", star->layers()},
+                        {"k", star->k()},
+                        {"aperture", star->aperture()},
+                        {"aperture_bound", Star::aperture_bound(star->k(), star->n())},
+                        {"diameter", diameter},
+                        {"spans", centre.spans},
+                        {"fit_error", centre.error},
+                        {"max_gap", measured->max_gap},
+                        {"max_angle_deg", degrees(measured->max_angle)},
+                        {"shape", json_of(measured->validity)},
+                        {"seconds", seconds}};
+    return outcome;
+}
+
+}  // namespace
+
+std::shared_ptr<Command> add_patch(CLI::App& app) {
+    auto command = add_command(app, "patch", kHelp);
+    auto options = std::make_shared<PatchOptions>();
+    CLI::App& sub = *command->app;
+    sub.add_option("MESH", command->input, "The control mesh: a Wavefront OBJ file")
+        ->required()
+        ->option_text(" ");
+    sub.add_option("-o,--output", options->output, "The file to write")
+        ->required()
+        ->option_text("OUT");
+    sub.add_option("--k", options->k, "Order of continuity, 0 to 4 (default 2)")->option_text("K");
+    sub.add_option("--aperture", options->aperture,
+                   "Size of the central face in the parameters: how far the innermost control "
+                   "points reach (default: even knots where possible, else 0.8 of the bound)")
+        ->option_text("F");
+    sub.add_option("--tolerance", options->tolerance,
+                   "How far the middle may be off, relative to the mesh's diameter (default 1e-6)")
+        ->option_text("T");
+    sub.add_flag("--force", options->force, "Allow OUT to be the mesh itself");
+    Command* self = command.get();
+    command->validate = [options, self] { return validate(*self, *options); };
+    command->run = [options, self](Run& run) { return patch(run, *self, *options); };
+    return command;
+}
+
+}  // namespace suture::cli
