@@ -231,10 +231,8 @@ int run_program(const std::vector<std::string>& words) {
     app.require_subcommand(1);
     app.formatter(std::make_shared<HelpFormatter>());  // the commands inherit it
     const std::vector<std::shared_ptr<Command>> commands{
-        add_inspect(app), add_fill(app), add_check(app),    add_convert(app),
-        add_methods(app), add_demo(app), add_algebraic(app)};
         add_inspect(app), add_fill(app),    add_check(app), add_convert(app),
-        add_patch(app),   add_methods(app), add_demo(app)};
+        add_patch(app),   add_methods(app), add_demo(app),  add_algebraic(app)};
     try {
         std::vector<std::string> reversed = join_number_lists(words);
         std::reverse(reversed.begin(), reversed.end());  // as CLI11 wants them

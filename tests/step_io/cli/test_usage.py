@@ -5,8 +5,7 @@ import subprocess
 
 from program import DONE, NOTHING, PROGRAM, USAGE, Case, example, run
 
-COMMANDS = ("inspect", "fill", "check", "convert", "methods", "demo", "algebraic")
-COMMANDS = ("inspect", "fill", "check", "convert", "patch", "methods", "demo")
+COMMANDS = ("inspect", "fill", "check", "convert", "patch", "methods", "demo", "algebraic")
 
 
 class Usage(Case):
