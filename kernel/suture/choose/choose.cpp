@@ -125,6 +125,8 @@ Rank rank_of(const TrialMeasure& measured, const Hole& hole, const Tolerance& to
                 rank.folded || (ribbon.continuity >= Continuity::G1 && side.angle > kHopelessAngle);
         }
     }
+    gap = std::max(gap, measured.inner.gap);
+    rank.folded = rank.folded || measured.inner.angle > kHopelessAngle;
     rank.wild = gap > kWildGap * hole.diameter;
     rank.off = gap > kHopelessGap * hole.diameter;
     rank.score = rank.folded ? gap / tolerance.linear : measured.score;
@@ -140,8 +142,8 @@ std::string verdict(const std::string& name, const TrialMeasure& measured, const
     if (!rank.hopeless()) {
         return text;
     }
-    double gap = 0.0;
-    double angle = 0.0;
+    double gap = measured.inner.gap;
+    double angle = measured.inner.angle;
     for (const SideMeasure& side : measured.sides) {
         gap = std::max(gap, side.gap);
         angle = std::max(angle, side.angle);
