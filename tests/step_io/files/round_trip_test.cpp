@@ -1,5 +1,6 @@
 #include "step_io/files/assembly.h"
 #include "step_io/files/describe.h"
+#include "suture/occ/topology.h"
 
 #include <BRepCheck_Analyzer.hxx>
 #include <BRepGProp.hxx>
