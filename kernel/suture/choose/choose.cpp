@@ -17,6 +17,7 @@ struct Attempt {
     std::string name;
     std::function<Result<FillResult>()> fill;
     bool slow = false;
+    bool last_resort = false;  ///< only where nothing else is worth taking
 };
 
 bool position_only(const Hole& hole) {
@@ -69,11 +70,12 @@ std::vector<Attempt> attempts_for(const std::vector<BoundaryLoop>& loops, const 
                                     loops, relaxed ? without_tangency(hole) : hole, setting,
                                     request.plate_limit, request.progress);
                             },
-                            /*slow=*/true});
+                            /*slow=*/true, /*last_resort=*/automatic && relaxed});
     };
     if (automatic) {
         plate(PlateSetting::Default);
         plate(PlateSetting::Tuned);
+        plate(PlateSetting::Default, /*relaxed=*/true);
     } else if (request.method == "occt") {
         for (const PlateSetting setting : {request.plate_setting, PlateSetting::Default}) {
             plate(setting);
@@ -187,7 +189,7 @@ Result<Choice> choose_fill(const std::vector<BoundaryLoop>& loops, const Hole& h
         if (request.progress.cancelled()) {
             return fail(ErrorCode::Cancelled, "stopped while filling");
         }
-        if (attempt.slow && effort == Effort::Quick) {
+        if ((attempt.slow && effort == Effort::Quick) || (attempt.last_resort && best)) {
             continue;
         }
         if (automatic && attempt.slow && best && best->measured.score <= kNear) {
@@ -208,7 +210,8 @@ Result<Choice> choose_fill(const std::vector<BoundaryLoop>& loops, const Hole& h
         }
         const Rank rank = rank_of(*measured, hole, tolerance);
         verdicts.push_back(verdict(attempt.name, *measured, rank));
-        if (rank.wild || (request.method != "occt" && rank.hopeless())) {
+        const bool taken_anyway = attempt.last_resort && !rank.off;
+        if (rank.wild || (request.method != "occt" && rank.hopeless() && !taken_anyway)) {
             verdicts.back() += ", not taken";
             continue;
         }
