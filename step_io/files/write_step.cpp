@@ -7,7 +7,6 @@
 #include <Interface_HArray1OfHAsciiString.hxx>
 #include <STEPCAFControl_Writer.hxx>
 #include <STEPConstruct.hxx>
-#include <ShapeAnalysis_ShapeTolerance.hxx>
 #include <StepData_Protocol.hxx>
 #include <StepData_StepModel.hxx>
 #include <StepData_StepWriter.hxx>
@@ -17,7 +16,6 @@
 #include <XSControl_TransferWriter.hxx>
 #include <XSControl_WorkSession.hxx>
 
-#include <algorithm>
 #include <sstream>
 
 namespace suture::io {
@@ -62,14 +60,6 @@ StepId entity_of(const TopoDS_Face& face, const XSControl_WorkSession& session,
     return entity.IsNull() ? 0 : static_cast<StepId>(entities.Number(entity));
 }
 
-/// What the file states as its accuracy: what its source stated, but not more than the average
-/// tolerance, which OCCT writes by itself. A reader takes what lies within the stated accuracy for
-/// errors and mends it, so that faces that it has mended once would be moved again.
-double precision_for(const ModelFile& model) {
-    const double average = ShapeAnalysis_ShapeTolerance().Tolerance(model.shape(), 0);
-    return std::min(model.precision, average);
-}
-
 }  // namespace
 
 Result<std::vector<StepId>> write_step(const ModelFile& model, const std::string& name,
@@ -80,10 +70,10 @@ Result<std::vector<StepId>> write_step(const ModelFile& model, const std::string
     scope.set("xstep.cascade.unit", "MM");
     scope.set("write.stepcaf.subshapes.name", 1);
     scope.set("write.step.product.name", name.c_str());
-    if (const double precision = precision_for(model); precision > 0.0) {
+    if (model.precision > 0.0) {
         constexpr int kUseGivenValue = 2;
         scope.set("write.precision.mode", kUseGivenValue);
-        scope.set("write.precision.val", precision);
+        scope.set("write.precision.val", model.precision);
     }
     STEPCAFControl_Writer writer;
     writer.SetSHUOMode(true);

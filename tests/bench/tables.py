@@ -29,8 +29,8 @@ Made by `cmake --preset bench && cmake --build --preset bench` (tests/bench); no
   known.
 - **net**: degree and number of poles of the new surfaces, or the name of a closed form.
 - **valid**: the written file holds no free edge where the hole was, and OCCT's BRepCheck finds nothing
-  wrong with it, by the judge; "re-trimmed": so many old faces whose border OCCT's reader computes
-  anew in every file, the bare reader and writer as well (area or centroid within 1e-3).
+  wrong with it, by the judge; "re-trimmed": so many old faces whose border has moved, by less than
+  1e-3 in area and centroid: OCCT's reader mends what lies within the accuracy that a file states.
 """
 
 COLUMNS = (

@@ -1,6 +1,5 @@
 #include "step_io/files/assembly.h"
 #include "step_io/files/describe.h"
-#include "suture/occ/topology.h"
 
 #include <BRepCheck_Analyzer.hxx>
 #include <BRepGProp.hxx>
@@ -54,9 +53,7 @@ TEST(RoundTrip, KeepsUnitSizeAndAccuracyOfEachStepUnit) {
             const ModelFile again = read(folder / "box");
             EXPECT_EQ(again.unit, unit) << to_string(format);
             EXPECT_NEAR(volume(again.shape()), 3000.0, 1e-4) << unit << to_string(format);
-            // STEP states no more than the shape's own tolerances.
-            const double stated = format == Format::Step ? 1e-7 : 2e-4;
-            EXPECT_NEAR(again.precision, stated, 1e-4 * stated) << unit << to_string(format);
+            EXPECT_NEAR(again.precision, 2e-4, 1e-9) << unit << to_string(format);
         }
     }
 }
@@ -144,32 +141,7 @@ TEST(RoundTrip, KeepsWhatRealFilesSay) {
         EXPECT_EQ(describe(again), describe(model)) << name;
         EXPECT_EQ(again.unit, model.unit) << name;
         EXPECT_EQ(again.schema, model.schema) << name;
-        EXPECT_LE(again.precision, (1.0 + 1e-5) * model.precision) << name;
-        EXPECT_GT(again.precision, 0.0) << name;
-    }
-}
-
-std::vector<double> areas_of(const TopoDS_Shape& shape) {
-    std::vector<double> areas;
-    for (const TopoDS_Face& face : occ::faces_of(shape)) {
-        GProp_GProps properties;
-        BRepGProp::SurfaceProperties(face, properties);
-        areas.push_back(properties.Mass());
-    }
-    return areas;
-}
-
-TEST(RoundTrip, LeavesFacesAloneThatTheReaderHasMendedOnce) {
-    SUTURE_NEEDS_CAD_FILES();
-    const Folder folder;
-    // States an accuracy of 1e-3 mm, which is more than some of its faces' borders are off.
-    const ModelFile model = read(cad("4040_base_mount.step"));
-    write(model, folder / "again.step", Format::Step);
-    const auto before = areas_of(model.shape());
-    const auto after = areas_of(read(folder / "again.step").shape());
-    ASSERT_EQ(before.size(), after.size());
-    for (std::size_t i = 0; i < before.size(); ++i) {
-        EXPECT_NEAR(after[i], before[i], 1e-7 * before[i]) << "face " << i + 1;
+        EXPECT_NEAR(again.precision, model.precision, 1e-5 * model.precision) << name;
     }
 }
 
