@@ -36,8 +36,8 @@ using Json = nlohmann::json;
 /// it was written and read once more: 15 digits, and areas integrated anew.
 constexpr double kSame = 1e-6;
 
-/// And a face is still the same one, though OCCT's reader, which mends what lies within the accuracy
-/// that a file states, has moved its border: measured up to 2e-5.
+/// And a face is still the same one, though OCCT's reader, which mends what lies within the
+/// accuracy that a file states, has moved its border: measured up to 2e-5.
 constexpr double kAlike = 1e-3;
 
 TopoDS_Shape read_step(const char* file) {

@@ -128,7 +128,7 @@ Rank rank_of(const TrialMeasure& measured, const Hole& hole, const Tolerance& to
         }
     }
     gap = std::max(gap, measured.inner.gap);
-    rank.folded = rank.folded || measured.inner.angle > kHopelessAngle;
+    rank.folded = rank.folded || (!position_only(hole) && measured.inner.angle > kHopelessAngle);
     rank.wild = gap > kWildGap * hole.diameter;
     rank.off = gap > kHopelessGap * hole.diameter;
     rank.score = rank.folded ? gap / tolerance.linear : measured.score;

@@ -49,6 +49,7 @@ Result<void> expect_simple(const Hole& hole) {
 /// How smoothly each side is to be met.
 std::vector<int> orders(const std::vector<Ribbon>& ribbons, const OptionValues& own) {
     std::vector<int> result;
+    result.reserve(ribbons.size());
     for (const Ribbon& ribbon : ribbons) {
         result.push_back(find_count(own, "k").value_or(static_cast<int>(ribbon.continuity)));
     }

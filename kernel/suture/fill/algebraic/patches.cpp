@@ -40,7 +40,7 @@ class SectorFit {
           sector_(sector),
           sheet_(problem, solution, sector) {}
 
-    Result<Fitted> find(const Unit& unit, const Tolerance& goal) const {
+    [[nodiscard]] Result<Fitted> find(const Unit& unit, const Tolerance& goal) const {
         for (double width = kWidth; width >= kLeastWidth; width /= 5.0) {
             const auto map = std::make_shared<const SectorMap>(problem_, solution_, sector_, width);
             for (int spans = kFewestSpans; spans <= kMostSpans; spans *= 2) {
@@ -120,7 +120,7 @@ class Assembly {
     explicit Assembly(const Partition& partition) : partition_(partition) {}
 
     /// The wire of a sector's patch.
-    std::vector<EdgeUse> wire(const Sector& sector, std::shared_ptr<const SectorMap> map) {
+    std::vector<EdgeUse> wire(const Sector& sector, const std::shared_ptr<const SectorMap>& map) {
         std::vector<EdgeUse> uses;
         for (std::size_t c = 0; c < 3; ++c) {
             const std::size_t next = (c + 1) % 3;

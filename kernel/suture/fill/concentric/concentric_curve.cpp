@@ -16,7 +16,9 @@ constexpr double kSameParameter = 1e-9;
 
 Stop ConcentricCurve::stop(int k) const {
     Stop stop = stops[static_cast<std::size_t>(k % count())];
-    const double turns = period * (k / count());
+    const double turns =
+        period *
+        static_cast<double>(k / count());  // NOLINT(bugprone-integer-division): whole turns
     stop.from += turns;
     stop.to += turns;
     return stop;

@@ -27,7 +27,7 @@ template <>
 struct boost::polygon::segment_traits<suture::concentric::GridSegment> {
     using coordinate_type = std::int32_t;         // NOLINT
     using point_type = point_data<std::int32_t>;  // NOLINT
-    static point_type get(const suture::concentric::GridSegment& segment, direction_1d end) {
+    static point_type get(const suture::concentric::GridSegment& segment, const direction_1d& end) {
         return end.to_int() != 0 ? segment.b : segment.a;
     }
 };

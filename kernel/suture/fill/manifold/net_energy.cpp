@@ -14,6 +14,7 @@ const std::vector<double>& differences(int order) {
 
 }  // namespace
 
+// NOLINTNEXTLINE(readability-function-cognitive-complexity)
 Eigen::SparseMatrix<double> net_energy(const Star& star, double flat) {
     struct Term {
         int i, j;

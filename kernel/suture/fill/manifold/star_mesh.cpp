@@ -145,7 +145,8 @@ class Walk {
         return join();
     }
 
-    Result<void> check_valences(const std::vector<int>& hole, const std::vector<int>& outer) const {
+    [[nodiscard]] Result<void> check_valences(const std::vector<int>& hole,
+                                              const std::vector<int>& outer) const {
         const auto place = [&](int v) {
             return std::find(hole.begin(), hole.end(), v) != hole.end()      ? 1
                    : std::find(outer.begin(), outer.end(), v) != outer.end() ? 2

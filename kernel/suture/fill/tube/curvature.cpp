@@ -28,6 +28,7 @@ struct Condition {
     Eigen::SparseVector<double> bend;  ///< unknowns
     double bend_fixed = 0.0;
 
+    // NOLINTNEXTLINE(readability-identifier-naming): the paper's letter
     [[nodiscard]] Vector3d D(const VectorXd& x) const { return tangent * x + tangent_fixed; }
     [[nodiscard]] double bending(const VectorXd& x) const { return bend.dot(x) + bend_fixed; }
     [[nodiscard]] double value(const VectorXd& x) const {

@@ -79,6 +79,7 @@ std::vector<Piece> taylor_pieces(const Curve& curve, const Curve& first, const C
 
 std::vector<double> chord_lengths(const std::vector<Piece>& pieces) {
     std::vector<double> lengths;
+    lengths.reserve(pieces.size());
     for (const Piece& piece : pieces) {
         lengths.push_back((piece.col(1) + piece.col(2)).norm());
     }
