@@ -1,7 +1,9 @@
 #include "suture/fill/tube/border.h"
 
+#include "suture/base/contract.h"
+
 #include <Eigen/Geometry>
-#include <Eigen/LU>
+#include <Eigen/SparseLU>
 
 #include <algorithm>
 #include <cmath>
@@ -50,6 +52,10 @@ Border::Border(RibbonLoop around, Radials radials, const Vector3d& pole, double 
         };
         bends_[i] = {bend((i + n - 1) % n, 1.0), bend((i + 1) % n, 0.0)};
     }
+    shifts_.resize(n);
+    for (int side = 0; side < sides(); ++side) {
+        bring_together(side);
+    }
 }
 
 double Border::s_of(int side, double v) const {
@@ -73,27 +79,45 @@ Vector3d Border::outward(int side, double s, const RibbonPoint& at) const {
 BorderPoint Border::at(int side, double v) const {
     const double s = s_of(side, v);
     const RibbonPoint at = ribbon(side).at(s);
-    const double speed = course(side).length() / extent(side);
-    // Sides that keep their own parameter are run through at |dP/ds|, the others evenly.
-    const double own = course(side).even() ? at.tangent.norm() / extent(side) : speed;
-    return {at.point, outward(side, s, at), at.normal, own * at.tangent.normalized(),
-            has_layout() ? radials_.in_plane(side, s) : Eigen::Vector2d(0.0, 0.0)};
+    const double by_v = course(side).length() / (extent(side) * course(side).speed_of(s));  // ds/dv
+    BorderPoint result{at.point,
+                       at.point,
+                       outward(side, s, at),
+                       at.normal,
+                       by_v * at.tangent,
+                       has_layout() ? radials_.in_plane(side, s) : Eigen::Vector2d(0.0, 0.0)};
+    const double t = v / extent(side);
+    const double late = t * t * (3.0 - 2.0 * t);
+    const double slope = 6.0 * t * (1.0 - t) / extent(side);
+    const auto& [first, last] = shifts_[static_cast<std::size_t>(side)];
+    result.point += (1.0 - late) * first.point + late * last.point;
+    result.tangent += slope * (last.point - first.point);
+    result.outward += (1.0 - late) * first.outward + late * last.outward;
+    result.plane += (1.0 - late) * first.plane + late * last.plane;
+    return result;
 }
 
-BorderPoint Border::corner(int side) const {
+void Border::bring_together(int side) {
     const int before = (side + sides() - 1) % sides();
-    BorderPoint a = at(before, extent(before));
+    const BorderPoint a = at(before, extent(before));
     const BorderPoint b = at(side, 0.0);
-    // Where only one of the two is to be met tangentially, it alone counts.
-    const bool smooth_a = joins_smoothly(ribbon(before));
-    const bool smooth_b = joins_smoothly(ribbon(side));
-    const double share = smooth_a == smooth_b ? 0.5 : smooth_a ? 1.0 : 0.0;
-    a.point = 0.5 * (a.point + b.point);
-    a.outward = share * a.outward + (1.0 - share) * b.outward;
-    a.normal = (share * a.normal + (1.0 - share) * b.normal).normalized();
-    a.tangent = 0.5 * (a.tangent + b.tangent);
-    a.plane = 0.5 * (a.plane + b.plane);
-    return a;
+    // The outward tangent should be in both tangent planes. What it is off by turns the normal the
+    // more, the less it leads away from the border; so that side counts more. Where only one of the
+    // two is to be met tangentially, it alone counts.
+    const auto leads_away = [](const BorderPoint& at) {
+        return at.outward.normalized().cross(at.tangent.normalized()).norm();
+    };
+    double share = leads_away(b) / (leads_away(a) + leads_away(b));
+    if (joins_smoothly(ribbon(before)) != joins_smoothly(ribbon(side))) {
+        share = joins_smoothly(ribbon(before)) ? 1.0 : 0.0;
+    }
+    const Vector3d point = 0.5 * (a.point + b.point);
+    const Vector3d outward = share * a.outward + (1.0 - share) * b.outward;
+    const Eigen::Vector2d plane = 0.5 * (a.plane + b.plane);
+    shifts_[static_cast<std::size_t>(before)][1] = {point - a.point, outward - a.outward,
+                                                    plane - a.plane};
+    shifts_[static_cast<std::size_t>(side)][0] = {point - b.point, outward - b.outward,
+                                                  plane - b.plane};
 }
 
 double Border::turn(int side) const {
@@ -101,68 +125,75 @@ double Border::turn(int side) const {
     return angle_between(ribbon(before).at(1.0).tangent, ribbon(side).at(0.0).tangent);
 }
 
+bool Border::is_sharp(int side, const Tolerance& tolerance) const {
+    const int before = (side + sides() - 1) % sides();
+    const Vector3d a = at(before, extent(before)).tangent;
+    const Vector3d b = at(side, 0.0).tangent;
+    // What is below that is not seen by any measure of the border.
+    constexpr double kUnseen = 0.1;
+    return (a - b).norm() > kUnseen * tolerance.angular * std::min(a.norm(), b.norm());
+}
+
 namespace {
 
-/// Columns of one side by interpolation in the middle of each interval, between given ends.
-void fit_side(const Border& border, int side, const std::vector<double>& intervals, int first,
-              BorderRows& rows) {
-    const int n = static_cast<int>(intervals.size());
-    Eigen::MatrixXd system = Eigen::MatrixXd::Zero(n, n);
-    Eigen::MatrixXd right(n, 8);
-    double v = 0.0;
-    for (int k = 0; k < n; ++k) {
-        const double g = intervals[static_cast<std::size_t>(k)];
-        const int interval = first + k;
-        const Ring::Local local = rows.ring.on(interval, rows.ring.start(interval) + 0.5 * g, 0);
-        const BorderPoint at = border.at(side, v + 0.5 * g);
-        right.row(k) << at.point.transpose(), at.outward.transpose(), at.plane.transpose();
-        for (int j = 0; j < 3; ++j) {
-            const int column = k + j;  // of the side: 0 and n + 1 are its corners
-            const double share = local.basis(0, j);
-            if (column >= 1 && column <= n) {
-                system(k, column - 1) = share;
-            } else {
-                const int ring = rows.ring.wrapped(first + column);
-                right.row(k).head<3>() -= share * rows.points.col(ring).transpose();
-                right.row(k).segment<3>(3) -= share * rows.outward.col(ring).transpose();
-                right.row(k).tail<2>() -= share * rows.plane.col(ring).transpose();
-            }
-        }
-        v += g;
+/// A row for each column: what it is to be at its place of the border, and which columns it is the
+/// sum of.
+struct Interpolation {
+    std::vector<Eigen::Triplet<double>> shares;
+    Eigen::MatrixXd wanted;
+
+    void ask(int row, const BorderPoint& at) {
+        wanted.row(row) << at.point.transpose(), at.outward.transpose(), at.plane.transpose();
     }
-    const Eigen::MatrixXd solution = system.partialPivLu().solve(right);
-    rows.points.middleCols(first + 1, n) = solution.leftCols<3>().transpose();
-    rows.outward.middleCols(first + 1, n) = solution.middleCols<3>(3).transpose();
-    rows.plane.middleCols(first + 1, n) = solution.rightCols<2>().transpose();
-}
+};
 
 }  // namespace
 
-BorderRows fit_border(const Border& border, const Divisions& divisions) {
+BorderRows fit_border(const Border& border, const Divisions& divisions,
+                      const Tolerance& tolerance) {
     std::vector<double> intervals;
-    for (const std::vector<double>& side : divisions) {
-        intervals.insert(intervals.end(), side.begin(), side.end());
-        intervals.push_back(0.0);
+    std::vector<bool> sharp;
+    for (int side = 0; side < border.sides(); ++side) {
+        const auto& own = divisions[static_cast<std::size_t>(side)];
+        intervals.insert(intervals.end(), own.begin(), own.end());
+        sharp.push_back(border.is_sharp((side + 1) % border.sides(), tolerance));
+        if (sharp.back()) {
+            intervals.push_back(0.0);
+        }
     }
     BorderRows rows{Ring(std::move(intervals)), {}, {}, {}};
-    rows.points.resize(3, rows.ring.columns());
-    rows.outward.resize(3, rows.ring.columns());
-    rows.plane.resize(2, rows.ring.columns());
-    int column = 0;
-    std::vector<int> firsts;
+    const int m = rows.ring.columns();
+    Interpolation task{{}, Eigen::MatrixXd(m, 8)};
+    int interval = 0;
     for (int side = 0; side < border.sides(); ++side) {
-        const BorderPoint corner = border.corner(side);
-        rows.points.col(column) = corner.point;
-        rows.outward.col(column) = corner.outward;
-        rows.plane.col(column) = corner.plane;
-        firsts.push_back(column);
-        column += static_cast<int>(divisions[static_cast<std::size_t>(side)].size()) + 1;
+        double v = 0.0;
+        for (const double g : divisions[static_cast<std::size_t>(side)]) {
+            const Ring::Local local =
+                rows.ring.on(interval, rows.ring.start(interval) + 0.5 * g, 0);
+            task.ask(interval, border.at(side, v + 0.5 * g));
+            for (int j = 0; j < 3; ++j) {
+                task.shares.emplace_back(interval, rows.ring.wrapped(interval + j),
+                                         local.basis(0, j));
+            }
+            v += g;
+            ++interval;
+        }
+        if (sharp[static_cast<std::size_t>(side)]) {
+            task.ask(interval, border.corner((side + 1) % border.sides()));
+            task.shares.emplace_back(interval, rows.ring.wrapped(interval + 1), 1.0);
+            ++interval;
+        }
     }
-    for (int side = 0; side < border.sides(); ++side) {
-        fit_side(border, side, divisions[static_cast<std::size_t>(side)],
-                 firsts[static_cast<std::size_t>(side)], rows);
-    }
-    if (!border.has_layout()) {
+    Eigen::SparseMatrix<double> system(m, m);
+    system.setFromTriplets(task.shares.begin(), task.shares.end());
+    const Eigen::SparseLU<Eigen::SparseMatrix<double>> factor(system);
+    SUTURE_EXPECTS(factor.info() == Eigen::Success);
+    const Eigen::MatrixXd solution = factor.solve(task.wanted);
+    rows.points = solution.leftCols<3>().transpose();
+    rows.outward = solution.middleCols<3>(3).transpose();
+    if (border.has_layout()) {
+        rows.plane = solution.rightCols<2>().transpose();
+    } else {
         rows.plane.resize(2, 0);
     }
     return rows;
@@ -194,15 +225,21 @@ std::vector<std::vector<BorderError>> measure_border(const Border& border,
                     outward += local.basis(0, j) * rows.outward.col(column);
                 }
                 BorderError& error = result[k];
-                error.gap = std::max(error.gap, (point - wanted.point).norm());
+                const Vector3d normal = outward.cross(tangent);
+                error.gap = std::max(error.gap, (point - wanted.edge).norm());
+                error.fit_gap = std::max(error.fit_gap, (point - wanted.point).norm());
                 if (joins_smoothly(border.ribbon(side))) {
-                    error.angle =
-                        std::max(error.angle, angle_between(outward.cross(tangent), wanted.normal));
+                    error.angle = std::max(error.angle, angle_between(normal, wanted.normal));
+                    error.fit_angle =
+                        std::max(error.fit_angle,
+                                 angle_between(normal, wanted.outward.cross(wanted.tangent)));
                 }
             }
             v += own[k];
         }
-        ++interval;  // the corner's empty one
+        if (rows.ring.interval(interval) == 0.0) {
+            ++interval;  // the corner's
+        }
     }
     return errors;
 }
@@ -256,7 +293,8 @@ Divisions divide(const Border& border, const Tolerance& tolerance, double first)
     }
     grade(border, first, divisions);
     for (int round = 0; round < kMostRounds; ++round) {
-        const auto errors = measure_border(border, divisions, fit_border(border, divisions));
+        const auto errors =
+            measure_border(border, divisions, fit_border(border, divisions, tolerance));
         std::size_t columns = 0;
         bool done = true;
         Divisions next(divisions.size());
@@ -264,8 +302,8 @@ Divisions divide(const Border& border, const Tolerance& tolerance, double first)
             for (std::size_t k = 0; k < divisions[side].size(); ++k) {
                 const BorderError& error = errors[side][k];
                 const double g = divisions[side][k];
-                if (error.gap > kShare * tolerance.linear ||
-                    error.angle > kShare * tolerance.angular) {
+                if (error.fit_gap > kShare * tolerance.linear ||
+                    error.fit_angle > kShare * tolerance.angular) {
                     next[side].insert(next[side].end(), 2, 0.5 * g);
                     done = false;
                 } else {
