@@ -35,9 +35,13 @@ def triangles(face, deflection):
     vertices, facets = face.tessellate(deflection)
     points = np.array([[v.x, v.y, v.z] for v in vertices])
     normals = []
-    for v in vertices:
-        n = face.normalAt(*face.Surface.parameter(v))
-        normals.append((n.x, n.y, n.z))
+    for k, v in enumerate(vertices):
+        try:
+            n = face.normalAt(*face.Surface.parameter(v))
+            normals.append((n.x, n.y, n.z))
+        except Part.OCCError:  # the tip of a cone: the mean of what meets there
+            around = [points[list(facet)] for facet in facets if k in facet]
+            normals.append(sum(np.cross(b - a, c - a) for a, b, c in around))
     return points, np.array(normals), np.array(facets)
 
 
