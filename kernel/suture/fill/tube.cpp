@@ -1,6 +1,6 @@
 #include "suture/fill/tube.h"
 
-#include "suture/fill/tube/border.h"
+#include "suture/fill/tube/border_fit.h"
 #include "suture/fill/tube/fairing.h"
 #include "suture/fill/tube/pole.h"
 #include "suture/fill/tube/quality.h"
@@ -75,6 +75,16 @@ Result<tube::FairingTask> task_of(const OptionValues& own, const tube::Pole& pol
     return task;
 }
 
+tube::Way way_of(const OptionValues& own) {
+    using Pieces = tube::Way::Pieces;
+    const auto word = find_word(own, "border").value_or("interpolated");
+    return {word == "bezier"   ? Pieces::Bezier
+            : word == "taylor" ? Pieces::Taylor
+                               : Pieces::Interpolated,
+            find_word(own, "join").value_or("fit") == "march" ? tube::Way::Join::Marching
+                                                              : tube::Way::Join::AllAtOnce};
+}
+
 /// Where the columns end in the plane: as laid out, else in their directions at the pole as far
 /// away as they are in space.
 Eigen::Matrix2Xd in_plane(const tube::Closing& closing, const tube::BorderRows& rows) {
@@ -111,9 +121,11 @@ Result<Aim> take_aim(const Hole& hole, const OptionValues& own,
 Result<Tube> make_tube(const RibbonLoop& loop, const Aim& aim, const OptionValues& own,
                        const Tolerance& tolerance, int layers) {
     const std::vector<double> across = tube::knots_across(layers);
+    const tube::Way way = way_of(own);
     const tube::Border border(loop, aim.radials, aim.pole.point, kAround, across.back());
-    const tube::Divisions divisions = tube::divide(border, tolerance, std::ldexp(1.0, -layers));
-    const tube::BorderRows rows = tube::fit_border(border, divisions, tolerance);
+    const tube::Divisions divisions =
+        tube::divide(border, tolerance, std::ldexp(1.0, -layers), way);
+    const tube::BorderRows rows = tube::fit_border(border, divisions, tolerance, way);
     auto task = task_of(own, aim.pole, rows, divisions);
     if (!task) {
         return tl::unexpected(task.error());

@@ -1,6 +1,6 @@
 #include "support/ribbon_zoo.h"
 #include "suture/fill/tube.h"
-#include "suture/fill/tube/border.h"
+#include "suture/fill/tube/border_fit.h"
 #include "suture/fill/tube/fairing.h"
 #include "suture/fill/tube/pole.h"
 #include "suture/fill/tube/quality.h"
@@ -67,6 +67,27 @@ TEST(FillTube, MeetsItsNeighboursWithinTheTolerance) {
         const Worst worst = at_border(hole, fill->patches.front());
         EXPECT_LT(worst.gap, options.tolerance.linear) << name;
         EXPECT_LT(worst.angle, options.tolerance.angular) << name;
+    }
+}
+
+/// The paper's ways to quadratic pieces and from these to columns, with as many as are needed.
+TEST(FillTube, MeetsItsNeighboursByThePapersPiecesToo) {
+    for (const Hole& hole : {zoo::suitcase_corner(6.0),
+                             zoo::window(zoo::torus(3.0, 1.0), zoo::circle({0.3, 0.2}, 0.3, 3))}) {
+        for (const char* border : {"interpolated", "bezier", "taylor"}) {
+            for (const char* join : {"fit", "march"}) {
+                FillOptions options = options_for(hole);
+                options.tolerance.linear = 1e-4 * hole.diameter;
+                options.tolerance.angular = radians(0.5);
+                options.own["border"] = {OptionKind::Word, {}, border};
+                options.own["join"] = {OptionKind::Word, {}, join};
+                const auto fill = fill_tube(hole, options);
+                ASSERT_TRUE(fill) << border << " " << join << ": " << fill.error().message;
+                const Worst worst = at_border(hole, fill->patches.front());
+                EXPECT_LT(worst.gap, options.tolerance.linear) << border << " " << join;
+                EXPECT_LT(worst.angle, options.tolerance.angular) << border << " " << join;
+            }
+        }
     }
 }
 
