@@ -43,3 +43,6 @@ build=${SUTURE_BUILD:-build/release}
 
 # Those of docs/methods/tube.md.
 docs/figures/tube.sh
+
+# The paper's two surfaces of docs/methods/algebraic.md.
+docs/figures/algebraic.py ./suture docs/figures/algebraic.png
