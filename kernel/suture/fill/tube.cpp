@@ -1,6 +1,7 @@
 #include "suture/fill/tube.h"
 
 #include "suture/fill/tube/border_fit.h"
+#include "suture/fill/tube/divide.h"
 #include "suture/fill/tube/fairing.h"
 #include "suture/fill/tube/pole.h"
 #include "suture/fill/tube/quality.h"

@@ -1,6 +1,5 @@
 #include "support/ribbon_zoo.h"
 #include "suture/fill/tube.h"
-#include "suture/fill/tube/border_fit.h"
 #include "suture/fill/tube/fairing.h"
 #include "suture/fill/tube/pole.h"
 #include "suture/fill/tube/quality.h"
