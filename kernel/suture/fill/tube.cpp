@@ -163,8 +163,9 @@ Error folds(const tube::Fold& fold) {
         .value();
 }
 
-/// As many layers as keep the creases small: they fall in proportion to the last layer's width,
-/// whatever the number of columns, and so are found with few.
+/// As many layers as keep the creases small: they fall in proportion to the last layer's width.
+/// What the border's columns are off by adds to them, so that a few columns less must do to find
+/// out.
 Result<int> find_layers(const RibbonLoop& loop, const Aim& aim, const FillOptions& options) {
     constexpr double kCoarse = 2.0;
     Tolerance coarse = options.tolerance;
