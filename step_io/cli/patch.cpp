@@ -9,6 +9,7 @@
 #include "suture/check/continuity.h"
 #include "suture/check/validity.h"
 #include "suture/faces/make_shell.h"
+#include "suture/fill/manifold/centre.h"
 #include "suture/fill/manifold/layout.h"
 #include "suture/fill/manifold/star_mesh.h"
 
@@ -115,7 +116,7 @@ Result<Outcome> patch(Run& run, const Command& command, const PatchOptions& opti
     const Stopwatch watch;
     const StarSurface surface(*star, star_mesh->points(*star));
     const Centre centre = fit_centre(surface, options.tolerance * diameter, most_spans(options.k));
-    const auto shell = make_shell(lay_out(surface, centre, {}));
+    const auto shell = make_shell(lay_out(surface, quads_of(surface, centre), {}));
     if (!shell) {
         return tl::unexpected(shell.error());
     }

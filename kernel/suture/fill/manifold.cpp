@@ -112,7 +112,7 @@ Result<FillResult> fill_star(const Hole& hole, const FillOptions& options, const
                 {piece.ribbon, [model, m, piece](double s) { return model.y_of(m, piece, s); }});
         }
     }
-    FillResult result = lay_out(surface, centre, edges);
+    FillResult result = lay_out(surface, quads_of(surface, centre), edges);
     result.notes.push_back(
         note_on(*fitted, star.k(), fmt::format("{} sides, aperture {:.3g}", n, star.aperture())) +
         fmt::format("; the middle is fitted to {:.2g}", centre.error));

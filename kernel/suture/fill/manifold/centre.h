@@ -1,5 +1,6 @@
 #pragma once
 
+#include "suture/fill/manifold/middle.h"
 #include "suture/fill/manifold/quad_map.h"
 #include "suture/fill/manifold/surface.h"
 #include "suture/spline/surface.h"
@@ -23,5 +24,12 @@ struct Centre {
 ///
 /// Input    tolerance: spans are halved until the error is below it, or there are `most_spans`.
 [[nodiscard]] Centre fit_centre(const StarSurface& surface, double tolerance, int most_spans);
+
+/// The quads as patches:
+///
+///                K_m ----------- A_m ----------- K_(m-1)
+///                  |   quad m     |   quad m-1   |
+///                  +------------- O -------------+
+[[nodiscard]] Middle quads_of(const StarSurface& surface, const Centre& centre);
 
 }  // namespace suture::manifold
