@@ -2,8 +2,8 @@
 
 #include "suture/base/tolerance.h"
 #include "suture/fill/manifold/border_fit.h"
-#include "suture/fill/manifold/centre.h"
 #include "suture/fill/manifold/layout.h"
+#include "suture/fill/manifold/make_middle.h"
 #include "suture/fill/manifold/ring.h"
 #include "suture/fill/manifold/sides.h"
 #include "suture/fill/manifold/star_border.h"
@@ -19,7 +19,6 @@ using namespace manifold;
 
 /// How far the quads of the middle may be off, as a share of the hole's diameter.
 constexpr double kFit = 1e-6;
-constexpr int kMostSpans = 64;
 
 /// The layers to begin with, and those from which nets become too large to be opened.
 constexpr int kFirstLayers = 8;
@@ -27,6 +26,11 @@ constexpr int kMostLayers = 30;
 
 int order_of(const FillOptions& options) {
     return find_count(options.own, "k").value_or(2);
+}
+
+MiddleForm form_of(const FillOptions& options) {
+    const auto word = find_word(options.own, "middle");
+    return !word ? MiddleForm::Auto : *word == "exact" ? MiddleForm::Cells : MiddleForm::Quads;
 }
 
 /// A surface with some number of layers, fitted to the border.
@@ -103,7 +107,10 @@ Result<FillResult> fill_star(const Hole& hole, const FillOptions& options, const
     const Star star = star_of(fitted->layers).value();
     const StarSurface surface(star, fitted->border.points);
     const BorderModel model = border_model(star, hole.diameter);
-    const Centre centre = fit_centre(surface, kFit * hole.diameter, kMostSpans);
+    auto middle = make_middle(surface, form_of(options), kFit * hole.diameter);
+    if (!middle) {
+        return tl::unexpected(middle.error());
+    }
     std::vector<std::vector<SideEdge>> edges;
     for (int m = 0; m < n; ++m) {
         std::vector<SideEdge>& side = edges.emplace_back();
@@ -112,10 +119,10 @@ Result<FillResult> fill_star(const Hole& hole, const FillOptions& options, const
                 {piece.ribbon, [model, m, piece](double s) { return model.y_of(m, piece, s); }});
         }
     }
-    FillResult result = lay_out(surface, quads_of(surface, centre), edges);
+    FillResult result = lay_out(surface, std::move(middle->middle), edges);
     result.notes.push_back(
         note_on(*fitted, star.k(), fmt::format("{} sides, aperture {:.3g}", n, star.aperture())) +
-        fmt::format("; the middle is fitted to {:.2g}", centre.error));
+        "; " + middle->note);
     return result;
 }
 

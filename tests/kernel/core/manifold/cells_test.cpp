@@ -117,7 +117,8 @@ TEST(ManifoldCells, AreTheSurfaceItself) {
                     const Vector2d a = use.at(0.499);
                     const Vector2d b = use.at(0.501);
                     const double turn = use.backwards ? -1.0 : 1.0;
-                    const Vector2d in = 0.5 * (a + b) + turn * Vector2d(a.y() - b.y(), b.x() - a.x());
+                    const Vector2d in =
+                        0.5 * (a + b) + turn * Vector2d(a.y() - b.y(), b.x() - a.x());
                     const Vector2d p = to_x * in.homogeneous();
                     worst = std::max(
                         worst, (evaluate(spline, in.x(), in.y()).point - surface.at(p)).norm());
