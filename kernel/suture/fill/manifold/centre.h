@@ -22,7 +22,8 @@ struct Centre {
 /// and tangent plane: with C the spoke's own curve, the cross derivatives on its two sides are
 /// c + b C' and -c + b C', with one spline c and one polynomial b for both.
 ///
-/// Input    tolerance: spans are halved until the error is below it, or there are `most_spans`.
+/// Input    tolerance: spans get shorter, each as its own error asks for, until the error is below
+///          it, or there are `most_spans` or a few more.
 [[nodiscard]] Centre fit_centre(const StarSurface& surface, double tolerance, int most_spans);
 
 /// The quads as patches:
