@@ -95,7 +95,7 @@ def draw(program, title, sides, layers, columns, options):
     centre = np.array([box.Center.x, box.Center.y, box.Center.z])
     canvas = Canvas(PANE, PANE, np.array([0.3, -1.0, 1.3]), centre, 0.78 * box.DiagonalLength, 10)
     for number, face in enumerate(shape.Faces):
-        strip = number < len(shape.Faces) - sides
+        strip = number < sides
         canvas.fill(*triangles(face, 0.05), OLD if strip else NEW, False)
     for line in shape.Edges:
         canvas.line(np.array([[p.x, p.y, p.z] for p in line.discretize(40)]))

@@ -6,6 +6,7 @@
 #include "suture/fill/manifold/make_middle.h"
 #include "suture/fill/manifold/ring.h"
 #include "suture/fill/manifold/sides.h"
+#include "suture/fill/manifold/spacing.h"
 #include "suture/fill/manifold/star_border.h"
 
 #include <algorithm>
@@ -19,6 +20,9 @@ using namespace manifold;
 
 /// How far the quads of the middle may be off, as a share of the hole's diameter.
 constexpr double kFit = 1e-6;
+
+/// However large the tolerance, the border is not farther off than this share of the diameter.
+constexpr double kGap = 1e-5;
 
 /// The layers to begin with, and those from which nets become too large to be opened.
 constexpr int kFirstLayers = 8;
@@ -43,6 +47,7 @@ struct Fitted {
 /// after.
 Result<Fitted> fit_layers(const Hole& hole, const FillOptions& options, const Sides& sides,
                           int least, const std::function<Result<BorderModel>(int layers)>& model) {
+    const double linear = std::min(options.tolerance.linear, kGap * hole.diameter);
     const auto asked = find_count(options.own, "layers");
     int layers = asked.value_or(std::max(kFirstLayers, least));
     std::optional<Fitted> best;
@@ -58,8 +63,8 @@ Result<Fitted> fit_layers(const Hole& hole, const FillOptions& options, const Si
         }
         auto fit = fit_border(*border, hole, sides);
         if (fit) {
-            const double score = std::max(fit->gap / options.tolerance.linear,
-                                          fit->angle / options.tolerance.angular);
+            const double score =
+                std::max(fit->gap / linear, fit->angle / options.tolerance.angular);
             if (!best || score < best_score) {
                 best = Fitted{layers, std::move(*fit)};
                 best_score = score;
@@ -83,30 +88,33 @@ std::string note_on(const Fitted& fitted, int k, std::string_view what) {
 
 Result<FillResult> fill_star(const Hole& hole, const FillOptions& options, const Sides& sides) {
     const int n = static_cast<int>(sides.sides.size());
-    StarSize size;
-    size.k = order_of(options);
-    size.columns.assign(sides.sides.size(), 1);
-    size.aperture = find_number(options.own, "aperture").value_or(0.0);
-    const auto star_of = [&](int layers) {
-        size.layers = layers;
-        return Star::make(size);
+    std::vector<std::vector<double>> joints;
+    for (const Side& side : sides.sides) {
+        joints.push_back(side.joints());
+    }
+    const auto spacing_of = [&](int layers) {
+        constexpr int kLevels = 3;
+        return spacing_for(order_of(options), layers,
+                           find_number(options.own, "aperture").value_or(0.0), joints, kLevels);
     };
     // Strips need a width, and the wider they are the smaller is the middle, which is fitted.
-    const int least = 2 * Star::least_layers(size.k, n);
+    const int least = 2 * Star::least_layers(order_of(options), n);
     const auto fitted =
         fit_layers(hole, options, sides, least, [&](int layers) -> Result<BorderModel> {
-            const auto star = star_of(layers);
+            const Spacing spacing = spacing_of(layers);
+            const auto star = Star::make(spacing.size);
             if (!star) {
                 return tl::unexpected(star.error());
             }
-            return border_model(*star, hole.diameter);
+            return border_model(*star, hole.diameter, spacing.centres);
         });
     if (!fitted) {
         return tl::unexpected(fitted.error());
     }
-    const Star star = star_of(fitted->layers).value();
+    const Spacing spacing = spacing_of(fitted->layers);
+    const Star star = Star::make(spacing.size).value();
     const StarSurface surface(star, fitted->border.points);
-    const BorderModel model = border_model(star, hole.diameter);
+    const BorderModel model = border_model(star, hole.diameter, spacing.centres);
     auto middle = make_middle(surface, form_of(options), kFit * hole.diameter);
     if (!middle) {
         return tl::unexpected(middle.error());

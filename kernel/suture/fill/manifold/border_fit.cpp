@@ -26,6 +26,8 @@ constexpr double kCurvatureWeight = 0.1;
 constexpr double kSenseWeights[] = {0.0, 1e-3, 1e-2};
 /// Of the energy against the mean square of a border residual.
 constexpr double kEnergyWeight = 1e-9;
+/// Solutions by the method of multipliers.
+constexpr int kMultiplierSteps = 8;
 /// Samples of the border a knot interval.
 constexpr int kSamples = 4;
 
@@ -34,7 +36,7 @@ struct Sample {
     const Ribbon* ribbon = nullptr;
     RibbonPoint wanted;
     BorderRow row;
-    double weight = 0.0;  ///< share of the border's length
+    double weight = 0.0;
 };
 
 Matrix3Xd derivatives(const Sample& sample, const Matrix3Xd& points) {
@@ -45,104 +47,147 @@ Matrix3Xd derivatives(const Sample& sample, const Matrix3Xd& points) {
     return own * sample.row.weights.transpose();
 }
 
-/// Samples per interval, `offset` of an interval from its start.
+/// The parameter s at which a piece has come to a share of its length.
+double at_share(const Piece& piece, double share) {
+    double low = 0.0;
+    double high = 1.0;
+    constexpr int kHalvings = 50;
+    for (int k = 0; k < kHalvings; ++k) {
+        const double middle = 0.5 * (low + high);
+        (piece.along(middle) < share ? low : high) = middle;
+    }
+    return 0.5 * (low + high);
+}
+
+/// The knots of a side within a piece, as shares of the piece's length from 0 to 1.
+std::vector<double> knots_on(const BorderModel& model, int side, const Piece& piece) {
+    const auto m = static_cast<std::size_t>(side);
+    const double from = model.y_at(side, piece.from);
+    const double to = model.y_at(side, piece.to);
+    std::vector<double> shares = {0.0};
+    for (const double y : model.knots[m]) {
+        const double share = (y - from) / (to - from);
+        constexpr double kSame = 1e-6;
+        if (share > shares.back() + kSame && share < 1.0 - kSame) {
+            shares.push_back(share);
+        }
+    }
+    shares.push_back(1.0);
+    return shares;
+}
+
+/// Samples in every knot interval, `offset` of their distance from its start; all count the same,
+/// so that short intervals next to corners are fitted as well as long ones.
 std::vector<Sample> samples_of(const BorderModel& model, const Hole& hole, const Sides& sides,
                                double offset) {
     std::vector<Sample> samples;
-    double total = 0.0;
-    for (const Side& side : sides.sides) {
-        total += side.length;
-    }
     for (std::size_t m = 0; m < sides.sides.size(); ++m) {
-        const Side& side = sides.sides[m];
-        for (const Piece& piece : side.pieces) {
-            const double share = piece.to - piece.from;
-            const int count =
-                std::max(4, static_cast<int>(std::ceil(share * model.intervals[m] * kSamples)));
-            for (int q = 0; q <= count; ++q) {
-                const double s = std::min(1.0, (q + offset) / count);
-                Sample sample;
-                sample.row =
-                    model.row(static_cast<int>(m), model.y_of(static_cast<int>(m), piece, s));
-                sample.ribbon = &hole.loops.front().ribbons[static_cast<std::size_t>(piece.ribbon)];
-                sample.wanted = sample.ribbon->at(s);
-                sample.weight = share * side.length / total / (count + 1);
-                samples.push_back(std::move(sample));
+        const auto side = static_cast<int>(m);
+        for (const Piece& piece : sides.sides[m].pieces) {
+            const Ribbon& ribbon =
+                hole.loops.front().ribbons[static_cast<std::size_t>(piece.ribbon)];
+            const std::vector<double> shares = knots_on(model, side, piece);
+            for (std::size_t i = 0; i + 1 < shares.size(); ++i) {
+                const int last = i + 2 < shares.size() ? kSamples - 1 : kSamples;
+                for (int q = 0; q <= last; ++q) {
+                    const double within = std::min(1.0, (q + offset) / kSamples);
+                    const double share = shares[i] + within * (shares[i + 1] - shares[i]);
+                    const double s = at_share(piece, share);
+                    Sample sample;
+                    sample.row = model.row(side, model.y_of(side, piece, s));
+                    sample.ribbon = &ribbon;
+                    sample.wanted = ribbon.at(s);
+                    sample.wanted.point = piece.meeting_point(sample.wanted.point, s);
+                    samples.push_back(std::move(sample));
+                }
             }
         }
+    }
+    for (Sample& sample : samples) {
+        sample.weight = 1.0 / static_cast<double>(samples.size());
     }
     return samples;
 }
 
-/// The normal equations of all residuals, for the three coordinates of all points together.
-class Normal {
+/// Least squares in the three coordinates of all points together.
+class System {
   public:
-    explicit Normal(int count) : right_(VectorXd::Zero(3 * count)) {}
+    explicit System(int count) : unknowns_(3 * count) {}
 
-    /// Adds the residual sum_k direction . P_k row_k - value.
+    /// Adds the residual sum_k gradient_k . P_k - value.
     void add(const Sample& sample, const MatrixXd& gradient, double value, double weight) {
+        const double root = std::sqrt(weight);
+        const auto row = static_cast<int>(values_.size());
         for (std::size_t a = 0; a < sample.row.points.size(); ++a) {
             for (int c = 0; c < 3; ++c) {
-                const double x = weight * gradient(c, static_cast<Eigen::Index>(a));
-                if (x == 0.0) {
-                    continue;
-                }
-                right_[3 * sample.row.points[a] + c] += x * value;
-                for (std::size_t b = 0; b < sample.row.points.size(); ++b) {
-                    for (int d = 0; d < 3; ++d) {
-                        const double y = gradient(d, static_cast<Eigen::Index>(b));
-                        if (y != 0.0) {
-                            entries_.emplace_back(3 * sample.row.points[a] + c,
-                                                  3 * sample.row.points[b] + d, x * y);
-                        }
-                    }
+                const double x = root * gradient(c, static_cast<Eigen::Index>(a));
+                if (x != 0.0) {
+                    entries_.emplace_back(row, 3 * sample.row.points[a] + c, x);
                 }
             }
         }
+        values_.push_back(root * value);
     }
 
-    void add(const Eigen::SparseMatrix<double>& energy, double weight) {
-        for (int column = 0; column < energy.outerSize(); ++column) {
-            for (Eigen::SparseMatrix<double>::InnerIterator it(energy, column); it; ++it) {
-                for (int c = 0; c < 3; ++c) {
-                    entries_.emplace_back(3 * static_cast<int>(it.row()) + c,
-                                          3 * static_cast<int>(it.col()) + c, weight * it.value());
-                }
-            }
-        }
-    }
-
-    [[nodiscard]] Result<Matrix3Xd> solve() const {
-        Eigen::SparseMatrix<double> matrix(right_.size(), right_.size());
-        matrix.setFromTriplets(entries_.begin(), entries_.end());
+    /// The least energy among the best approximations, by the method of multipliers: what is left
+    /// of the residuals is added to the values and the same matrix solved again.
+    [[nodiscard]] Result<Matrix3Xd> solve(const Eigen::SparseMatrix<double>& energy) const {
+        const auto rows = static_cast<Eigen::Index>(values_.size());
+        Eigen::SparseMatrix<double> a(rows, unknowns_);
+        a.setFromTriplets(entries_.begin(), entries_.end());
+        const Eigen::SparseMatrix<double> transposed = a.transpose();
+        const Eigen::SparseMatrix<double> matrix =
+            Eigen::SparseMatrix<double>(transposed * a) + in_space(energy);
         const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver(matrix);
         if (solver.info() != Eigen::Success) {
             return fail(ErrorCode::Refused,
                         "the least squares of the border have no unique solution");
         }
-        VectorXd solution = solver.solve(right_);
-        // One step of iterative refinement: the energy's weight makes the matrix stiff.
-        solution += solver.solve(right_ - matrix * solution);
+        const VectorXd wanted = VectorXd::Map(values_.data(), rows);
+        VectorXd raised = wanted;
+        VectorXd solution;
+        for (int step = 0; step < kMultiplierSteps; ++step) {
+            solution = solver.solve(transposed * raised);
+            raised += wanted - a * solution;
+        }
         return Matrix3Xd(solution.reshaped(3, solution.size() / 3));
     }
 
   private:
+    Eigen::Index unknowns_;
     std::vector<Eigen::Triplet<double>> entries_;
-    VectorXd right_;
+    std::vector<double> values_;
+
+    [[nodiscard]] Eigen::SparseMatrix<double> in_space(
+        const Eigen::SparseMatrix<double>& energy) const {
+        std::vector<Eigen::Triplet<double>> entries;
+        for (int column = 0; column < energy.outerSize(); ++column) {
+            for (Eigen::SparseMatrix<double>::InnerIterator it(energy, column); it; ++it) {
+                for (int c = 0; c < 3; ++c) {
+                    entries.emplace_back(3 * static_cast<int>(it.row()) + c,
+                                         3 * static_cast<int>(it.col()) + c,
+                                         kEnergyWeight * it.value());
+                }
+            }
+        }
+        Eigen::SparseMatrix<double> matrix(unknowns_, unknowns_);
+        matrix.setFromTriplets(entries.begin(), entries.end());
+        return matrix;
+    }
 };
 
 /// Adds what one sample asks for. before: the points of the step before, for G2.
-void add_sample(Normal& normal, const Sample& sample, double slope_weight,
+void add_sample(System& system, const Sample& sample, double slope_weight,
                 const Matrix3Xd* before) {
     const RibbonPoint& w = sample.wanted;
     for (int c = 0; c < 3; ++c) {
-        normal.add(sample, Vector3d::Unit(c) * sample.row.weights.row(0), w.point[c],
+        system.add(sample, Vector3d::Unit(c) * sample.row.weights.row(0), w.point[c],
                    sample.weight);
     }
     if (sample.ribbon->continuity < Continuity::G1) {
         return;
     }
-    normal.add(sample, w.normal * sample.row.weights.row(1), 0.0,
+    system.add(sample, w.normal * sample.row.weights.row(1), 0.0,
                sample.weight * slope_weight * slope_weight);
     if (sample.ribbon->continuity < Continuity::G2 || before == nullptr) {
         return;
@@ -151,7 +196,7 @@ void add_sample(Normal& normal, const Sample& sample, double slope_weight,
     const Vector3d x = derivatives(sample, *before).col(1);
     const Vector3d slope = 2.0 * w.curvature * x;
     const double bend = kCurvatureWeight * slope_weight;
-    normal.add(sample, w.normal * sample.row.weights.row(3) - slope * sample.row.weights.row(1),
+    system.add(sample, w.normal * sample.row.weights.row(3) - slope * sample.row.weights.row(1),
                -x.dot(w.curvature * x), sample.weight * bend * bend);
 }
 
@@ -178,9 +223,16 @@ Result<void> measure(BorderFit& fit, const std::vector<Sample>& samples) {
 
 }  // namespace
 
-double BorderModel::y_of(int side, const Piece& piece, double s) const {
+double BorderModel::y_at(int side, double share) const {
     const auto m = static_cast<std::size_t>(side);
-    return low[m] + (high[m] - low[m]) * (piece.from + (piece.to - piece.from) * piece.along(s));
+    const double c = centres.empty() ? 0.0 : centres[m];
+    const double t = 2.0 * share - 1.0;
+    const double moved = t - c * (1.0 - t * t) / (1.0 - c * c);
+    return knots[m].front() + (knots[m].back() - knots[m].front()) * 0.5 * (1.0 + moved);
+}
+
+double BorderModel::y_of(int side, const Piece& piece, double s) const {
+    return y_at(side, piece.from + (piece.to - piece.from) * piece.along(s));
 }
 
 namespace {
@@ -196,17 +248,16 @@ Result<BorderFit> fit_once(const BorderModel& model, const Hole& hole, const Sid
     BorderFit fit;
     constexpr int kSteps = 4;
     for (int step = 0; step < (curvature ? kSteps : 1); ++step) {
-        Normal normal(model.points);
+        System system(model.points);
         for (const Sample& sample : samples) {
-            add_sample(normal, sample, slope_weight, step > 0 ? &fit.points : nullptr);
+            add_sample(system, sample, slope_weight, step > 0 ? &fit.points : nullptr);
             for (int c = 0; sense > 0.0 && c < 3; ++c) {
                 const double weight = sense * slope_weight;
-                normal.add(sample, Vector3d::Unit(c) * sample.row.weights.row(1),
+                system.add(sample, Vector3d::Unit(c) * sample.row.weights.row(1),
                            -model.depth * sample.wanted.inward[c], sample.weight * weight * weight);
             }
         }
-        normal.add(model.energy, kEnergyWeight);
-        auto points = normal.solve();
+        auto points = system.solve(model.energy);
         if (!points) {
             return tl::unexpected(points.error());
         }

@@ -21,13 +21,16 @@ struct BorderRow {
 /// A surface whose border is to follow ribbons: x leads outwards, y along the border.
 struct BorderModel {
     int k = 2;
-    int points = 0;                      ///< how many control points there are
-    std::vector<double> intervals;       ///< knot intervals along each side
-    std::vector<double> low, high;       ///< the range of y on each side
+    int points = 0;                          ///< how many control points there are
+    std::vector<std::vector<double>> knots;  ///< y of each side, from its first to its last point
+    /// Of each side the place, from -1 to 1, that comes to lie in the middle of its range of y.
+    std::vector<double> centres;
     double depth = 1.0;                  ///< how far a unit of x leads, in model units, roughly
     Eigen::SparseMatrix<double> energy;  ///< of one coordinate of the points
     std::function<BorderRow(int side, double y)> row;
 
+    /// y on a side at a share of its length.
+    [[nodiscard]] double y_at(int side, double share) const;
     /// y on a side of a piece's ribbon at its parameter s.
     [[nodiscard]] double y_of(int side, const Piece& piece, double s) const;
 };

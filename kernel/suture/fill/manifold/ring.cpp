@@ -150,9 +150,10 @@ BorderModel Ring::border_model(double diameter) const {
     BorderModel model;
     model.k = k_;
     model.points = count();
-    model.intervals = {static_cast<double>(columns_)};
-    model.low = {0.0};
-    model.high = {2.0 * kPi};
+    std::vector<double>& knots = model.knots.emplace_back();
+    for (int j = 0; j <= columns_; ++j) {
+        knots.push_back(2.0 * kPi * j / columns_);
+    }
     model.depth = diameter / 2.0 / layers_;
     model.energy = energy();
     model.row = [ring = *this](int, double y) { return ring.row_at(y); };
