@@ -2,6 +2,7 @@
 
 #include "suture/base/tolerance.h"
 #include "suture/fill/manifold/border_fit.h"
+#include "suture/fill/manifold/fold.h"
 #include "suture/fill/manifold/layout.h"
 #include "suture/fill/manifold/make_middle.h"
 #include "suture/fill/manifold/ring.h"
@@ -28,6 +29,12 @@ constexpr double kGap = 1e-5;
 constexpr int kFirstLayers = 8;
 constexpr int kMostLayers = 30;
 
+/// The same for the columns of a ring, of which layers are a share up to a limit: it is the border
+/// that asks for many.
+constexpr int kColumnsPerLayer = 4;
+constexpr int kMostColumns = 640;
+constexpr int kMostRingLayers = 12;
+
 int order_of(const FillOptions& options) {
     return find_count(options.own, "k").value_or(2);
 }
@@ -37,53 +44,67 @@ MiddleForm form_of(const FillOptions& options) {
     return !word ? MiddleForm::Auto : *word == "exact" ? MiddleForm::Cells : MiddleForm::Quads;
 }
 
-/// A surface with some number of layers, fitted to the border.
+/// A surface of some size, fitted to the border.
 struct Fitted {
-    int layers = 0;
+    int size = 0;  ///< layers of a star, columns of a ring
     BorderFit border;
 };
 
-/// Adds layers until the border is within half of the tolerance: the other half is for what comes
-/// after.
-Result<Fitted> fit_layers(const Hole& hole, const FillOptions& options, const Sides& sides,
-                          int least, const std::function<Result<BorderModel>(int layers)>& model) {
-    const double linear = std::min(options.tolerance.linear, kGap * hole.diameter);
-    const auto asked = find_count(options.own, "layers");
-    int layers = asked.value_or(std::max(kFirstLayers, least));
+/// The sizes that are tried: the first, times `growth`, ... up to `most`.
+struct Sizes {
+    int first = 0;
+    int most = 0;
+    double growth = 1.5;
+
+    [[nodiscard]] int after(int size) const { return static_cast<int>(growth * size); }
+};
+
+/// Raises the size until the border is within half of the tolerance: the other half is for what
+/// comes after.
+Result<Fitted> fit_sizes(const Hole& hole, const FillOptions& options, const Sides& sides,
+                         const Sizes& sizes,
+                         const std::function<Result<BorderModel>(int size)>& model) {
+    constexpr double kEnough = 0.5;
+    Tolerance limits = options.tolerance;
+    limits.linear = kEnough * std::min(limits.linear, kGap * hole.diameter);
+    limits.angular *= kEnough;
     std::optional<Fitted> best;
     double best_score = 0.0;
     Error error;
-    for (;;) {
+    for (int size = sizes.first;; size = sizes.after(size)) {
         if (options.progress.cancelled()) {
             return fail(ErrorCode::Cancelled, "stopped while filling");
         }
-        const auto border = model(layers);
+        const auto border = model(size);
         if (!border) {
             return tl::unexpected(border.error());
         }
-        auto fit = fit_border(*border, hole, sides);
+        auto fit = fit_border(*border, hole, sides, limits);
         if (fit) {
-            const double score =
-                std::max(fit->gap / linear, fit->angle / options.tolerance.angular);
+            const double score = std::max(fit->gap / limits.linear, fit->angle / limits.angular);
             if (!best || score < best_score) {
-                best = Fitted{layers, std::move(*fit)};
+                best = Fitted{size, std::move(*fit)};
                 best_score = score;
             }
         } else {
             error = fit.error();
         }
-        constexpr double kEnough = 0.5;
-        const int more = layers * 3 / 2;
-        if (asked || more > kMostLayers || (best && best_score <= kEnough)) {
+        if (sizes.after(size) > sizes.most || (best && best_score <= 1.0)) {
             return best ? Result<Fitted>(*best) : tl::unexpected(error);
         }
-        layers = more;
     }
 }
 
-std::string note_on(const Fitted& fitted, int k, std::string_view what) {
+std::string note_on(const Fitted& fitted, int layers, int k, std::string_view what) {
     return fmt::format("k = {}, {}, {} layers; along the border gap {:.2g}, angle {:.2g} deg", k,
-                       what, fitted.layers, fitted.border.gap, degrees(fitted.border.angle));
+                       what, layers, fitted.border.gap, degrees(fitted.border.angle));
+}
+
+tl::unexpected<Error> folds(const Fold& fold, const Ribbon& nearest) {
+    return fail(ErrorCode::Refused,
+                "the surface folds at ({:.6g}, {:.6g}, {:.6g}), on the side of {}: its normal "
+                "turns by {:.0f} deg there, more than 90",
+                fold.at.x(), fold.at.y(), fold.at.z(), name_of(nearest), degrees(fold.angle));
 }
 
 Result<FillResult> fill_star(const Hole& hole, const FillOptions& options, const Sides& sides) {
@@ -99,8 +120,12 @@ Result<FillResult> fill_star(const Hole& hole, const FillOptions& options, const
     };
     // Strips need a width, and the wider they are the smaller is the middle, which is fitted.
     const int least = 2 * Star::least_layers(order_of(options), n);
+    Sizes sizes{std::max(kFirstLayers, least), kMostLayers};
+    if (const auto asked = find_count(options.own, "layers")) {
+        sizes.first = sizes.most = *asked;
+    }
     const auto fitted =
-        fit_layers(hole, options, sides, least, [&](int layers) -> Result<BorderModel> {
+        fit_sizes(hole, options, sides, sizes, [&](int layers) -> Result<BorderModel> {
             const Spacing spacing = spacing_of(layers);
             const auto star = Star::make(spacing.size);
             if (!star) {
@@ -111,10 +136,14 @@ Result<FillResult> fill_star(const Hole& hole, const FillOptions& options, const
     if (!fitted) {
         return tl::unexpected(fitted.error());
     }
-    const Spacing spacing = spacing_of(fitted->layers);
+    const Spacing spacing = spacing_of(fitted->size);
     const Star star = Star::make(spacing.size).value();
     const StarSurface surface(star, fitted->border.points);
     const BorderModel model = border_model(star, hole.diameter, spacing.centres);
+    if (const auto fold = find_fold(surface)) {
+        const Piece& piece = sides.sides[static_cast<std::size_t>(fold->side)].pieces.front();
+        return folds(*fold, hole.loops.front().ribbons[static_cast<std::size_t>(piece.ribbon)]);
+    }
     auto middle = make_middle(surface, form_of(options), kFit * hole.diameter);
     if (!middle) {
         return tl::unexpected(middle.error());
@@ -128,9 +157,9 @@ Result<FillResult> fill_star(const Hole& hole, const FillOptions& options, const
         }
     }
     FillResult result = lay_out(surface, std::move(middle->middle), edges);
-    result.notes.push_back(
-        note_on(*fitted, star.k(), fmt::format("{} sides, aperture {:.3g}", n, star.aperture())) +
-        "; " + middle->note);
+    result.notes.push_back(note_on(*fitted, star.layers(), star.k(),
+                                   fmt::format("{} sides, aperture {:.3g}", n, star.aperture())) +
+                           "; " + middle->note);
     return result;
 }
 
@@ -166,21 +195,27 @@ Result<FillResult> fill_ring(const Hole& hole, const FillOptions& options, const
         return fail(ErrorCode::Refused, "the hole has no corner: a ring needs k of at least {}",
                     kLeastOrder);
     }
-    const auto ring_of = [&](int layers) {
-        constexpr int kColumnsPerLayer = 4;
-        return Ring(k, layers, kColumnsPerLayer * layers);
+    const auto ring_of = [&](int columns) {
+        return Ring(k, std::min(columns / kColumnsPerLayer, kMostRingLayers), columns);
     };
+    Sizes sizes{kColumnsPerLayer * std::max(kFirstLayers, k + 2), kMostColumns, 2.0};
+    if (const auto asked = find_count(options.own, "layers")) {
+        sizes.first = sizes.most = kColumnsPerLayer * std::max(*asked, k + 2);
+    }
     const auto fitted =
-        fit_layers(hole, options, sides, k + 2, [&](int layers) -> Result<BorderModel> {
-            return ring_of(layers).border_model(hole.diameter);
+        fit_sizes(hole, options, sides, sizes, [&](int columns) -> Result<BorderModel> {
+            return ring_of(columns).border_model(hole.diameter);
         });
     if (!fitted) {
         return tl::unexpected(fitted.error());
     }
-    const Ring ring = ring_of(fitted->layers);
-    FillResult result = lay_out_ring(ring.spline(fitted->border.points),
-                                     ring.border_model(hole.diameter), sides.sides.front());
-    result.notes.push_back(note_on(*fitted, k, "a ring closed at an apex"));
+    const Ring ring = ring_of(fitted->size);
+    const SplineSurface spline = ring.spline(fitted->border.points);
+    if (const auto fold = find_fold(spline)) {
+        return folds(*fold, hole.loops.front().ribbons.front());
+    }
+    FillResult result = lay_out_ring(spline, ring.border_model(hole.diameter), sides.sides.front());
+    result.notes.push_back(note_on(*fitted, ring.layers(), k, "a ring closed at an apex"));
     return result;
 }
 

@@ -237,46 +237,79 @@ double BorderModel::y_of(int side, const Piece& piece, double s) const {
 
 namespace {
 
-Result<BorderFit> fit_once(const BorderModel& model, const Hole& hole, const Sides& sides,
-                           double sense) {
-    const std::vector<Sample> samples = samples_of(model, hole, sides, 0.0);
-    const double slope_weight = kAngleWeight * hole.diameter / model.depth;
-    const bool curvature =
-        model.k >= 2 && std::any_of(samples.begin(), samples.end(), [](const Sample& sample) {
-            return sample.ribbon->continuity == Continuity::G2;
-        });
-    BorderFit fit;
-    constexpr int kSteps = 4;
-    for (int step = 0; step < (curvature ? kSteps : 1); ++step) {
-        System system(model.points);
-        for (const Sample& sample : samples) {
-            add_sample(system, sample, slope_weight, step > 0 ? &fit.points : nullptr);
+/// One border's fit, over and over with more asked of it.
+class Fitter {
+  public:
+    Fitter(const BorderModel& model, const Hole& hole, const Sides& sides)
+        : model_(model),
+          slope_weight_(kAngleWeight * hole.diameter / model.depth),
+          samples_(samples_of(model, hole, sides, 0.0)),
+          between_(samples_of(model, hole, sides, kBetween)) {}
+
+    /// Whether any sample asks for G2 and the model can have it.
+    [[nodiscard]] bool curved() const {
+        return model_.k >= 2 &&
+               std::any_of(samples_.begin(), samples_.end(), [](const Sample& sample) {
+                   return sample.ribbon->continuity == Continuity::G2;
+               });
+    }
+
+    /// before: the points of the step before, for G2.
+    [[nodiscard]] Result<BorderFit> fit(double sense, const Matrix3Xd* before) const {
+        System system(model_.points);
+        for (const Sample& sample : samples_) {
+            add_sample(system, sample, slope_weight_, before);
             for (int c = 0; sense > 0.0 && c < 3; ++c) {
-                const double weight = sense * slope_weight;
+                const double weight = sense * slope_weight_;
                 system.add(sample, Vector3d::Unit(c) * sample.row.weights.row(1),
-                           -model.depth * sample.wanted.inward[c], sample.weight * weight * weight);
+                           -model_.depth * sample.wanted.inward[c],
+                           sample.weight * weight * weight);
             }
         }
-        auto points = system.solve(model.energy);
+        auto points = system.solve(model_.energy);
         if (!points) {
             return tl::unexpected(points.error());
         }
+        BorderFit fit;
         fit.points = std::move(*points);
+        if (auto measured = measure(fit, between_); !measured) {
+            return tl::unexpected(measured.error());
+        }
+        return fit;
     }
-    constexpr double kBetween = 0.37;
-    const auto measured = measure(fit, samples_of(model, hole, sides, kBetween));
-    return measured ? Result<BorderFit>(fit) : tl::unexpected(measured.error());
-}
+
+  private:
+    static constexpr double kBetween = 0.37;
+    const BorderModel& model_;
+    double slope_weight_;
+    std::vector<Sample> samples_;
+    std::vector<Sample> between_;  ///< to measure at
+};
 
 }  // namespace
 
-Result<BorderFit> fit_border(const BorderModel& model, const Hole& hole, const Sides& sides) {
+Result<BorderFit> fit_border(const BorderModel& model, const Hole& hole, const Sides& sides,
+                             const Tolerance& limits) {
+    const Fitter fitter(model, hole, sides);
     Result<BorderFit> fit;
-    for (const double sense : kSenseWeights) {
-        fit = fit_once(model, hole, sides, sense);
+    double sense = 0.0;
+    for (const double weight : kSenseWeights) {
+        sense = weight;
+        fit = fitter.fit(sense, nullptr);
         if (fit) {
             break;
         }
+    }
+    if (!fit || !fitter.curved() || fit->gap > limits.linear || fit->angle > limits.angular) {
+        return fit;
+    }
+    constexpr int kSteps = 3;
+    for (int step = 0; step < kSteps; ++step) {
+        auto next = fitter.fit(sense, &fit->points);
+        if (!next) {
+            return next;
+        }
+        fit = std::move(next);
     }
     return fit;
 }

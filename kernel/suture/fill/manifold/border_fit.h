@@ -1,6 +1,7 @@
 #pragma once
 
 #include "suture/base/result.h"
+#include "suture/base/tolerance.h"
 #include "suture/fill/manifold/sides.h"
 #include "suture/model/ribbon.h"
 
@@ -46,10 +47,12 @@ struct BorderFit {
 ///     |S - c|^2 + (weight / depth)^2 ((n . S_x)^2 [+ (n . S_xx - II(S_x, S_x))^2])
 /// plus a small multiple of the net's energy. Linear but for G2, which takes Gauss-Newton steps.
 ///
-/// Input    the model has one side for each of `sides`, in the same order.
+/// Input    the model has one side for each of `sides`, in the same order. limits: of gap and
+/// angle;
+///          the steps for G2 are spared where these are not met without it.
 /// Refuses  a system that cannot be factorised; a border that faces the other way than the
 ///          neighbours.
 [[nodiscard]] Result<BorderFit> fit_border(const BorderModel& model, const Hole& hole,
-                                           const Sides& sides);
+                                           const Sides& sides, const Tolerance& limits);
 
 }  // namespace suture::manifold
