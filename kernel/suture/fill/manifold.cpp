@@ -2,7 +2,6 @@
 
 #include "suture/base/tolerance.h"
 #include "suture/fill/manifold/border_fit.h"
-#include "suture/fill/manifold/fold.h"
 #include "suture/fill/manifold/layout.h"
 #include "suture/fill/manifold/make_middle.h"
 #include "suture/fill/manifold/ring.h"
@@ -54,7 +53,7 @@ struct Fitted {
 struct Sizes {
     int first = 0;
     int most = 0;
-    double growth = 1.5;
+    double growth = 2.0;
 
     [[nodiscard]] int after(int size) const { return static_cast<int>(growth * size); }
 };
@@ -100,13 +99,6 @@ std::string note_on(const Fitted& fitted, int layers, int k, std::string_view wh
                        what, layers, fitted.border.gap, degrees(fitted.border.angle));
 }
 
-tl::unexpected<Error> folds(const Fold& fold, const Ribbon& nearest) {
-    return fail(ErrorCode::Refused,
-                "the surface folds at ({:.6g}, {:.6g}, {:.6g}), on the side of {}: its normal "
-                "turns by {:.0f} deg there, more than 90",
-                fold.at.x(), fold.at.y(), fold.at.z(), name_of(nearest), degrees(fold.angle));
-}
-
 Result<FillResult> fill_star(const Hole& hole, const FillOptions& options, const Sides& sides) {
     const int n = static_cast<int>(sides.sides.size());
     std::vector<std::vector<double>> joints;
@@ -120,7 +112,7 @@ Result<FillResult> fill_star(const Hole& hole, const FillOptions& options, const
     };
     // Strips need a width, and the wider they are the smaller is the middle, which is fitted.
     const int least = 2 * Star::least_layers(order_of(options), n);
-    Sizes sizes{std::max(kFirstLayers, least), kMostLayers};
+    Sizes sizes{std::max(kFirstLayers, least), kMostLayers, 1.25};
     if (const auto asked = find_count(options.own, "layers")) {
         sizes.first = sizes.most = *asked;
     }
@@ -140,10 +132,6 @@ Result<FillResult> fill_star(const Hole& hole, const FillOptions& options, const
     const Star star = Star::make(spacing.size).value();
     const StarSurface surface(star, fitted->border.points);
     const BorderModel model = border_model(star, hole.diameter, spacing.centres);
-    if (const auto fold = find_fold(surface)) {
-        const Piece& piece = sides.sides[static_cast<std::size_t>(fold->side)].pieces.front();
-        return folds(*fold, hole.loops.front().ribbons[static_cast<std::size_t>(piece.ribbon)]);
-    }
     auto middle = make_middle(surface, form_of(options), kFit * hole.diameter);
     if (!middle) {
         return tl::unexpected(middle.error());
@@ -198,7 +186,7 @@ Result<FillResult> fill_ring(const Hole& hole, const FillOptions& options, const
     const auto ring_of = [&](int columns) {
         return Ring(k, std::min(columns / kColumnsPerLayer, kMostRingLayers), columns);
     };
-    Sizes sizes{kColumnsPerLayer * std::max(kFirstLayers, k + 2), kMostColumns, 2.0};
+    Sizes sizes{kColumnsPerLayer * std::max(kFirstLayers, k + 2), kMostColumns};
     if (const auto asked = find_count(options.own, "layers")) {
         sizes.first = sizes.most = kColumnsPerLayer * std::max(*asked, k + 2);
     }
@@ -210,11 +198,8 @@ Result<FillResult> fill_ring(const Hole& hole, const FillOptions& options, const
         return tl::unexpected(fitted.error());
     }
     const Ring ring = ring_of(fitted->size);
-    const SplineSurface spline = ring.spline(fitted->border.points);
-    if (const auto fold = find_fold(spline)) {
-        return folds(*fold, hole.loops.front().ribbons.front());
-    }
-    FillResult result = lay_out_ring(spline, ring.border_model(hole.diameter), sides.sides.front());
+    FillResult result = lay_out_ring(ring.spline(fitted->border.points),
+                                     ring.border_model(hole.diameter), sides.sides.front());
     result.notes.push_back(note_on(*fitted, ring.layers(), k, "a ring closed at an apex"));
     return result;
 }

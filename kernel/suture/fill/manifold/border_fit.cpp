@@ -21,9 +21,9 @@ using Eigen::VectorXd;
 constexpr double kAngleWeight = 0.05;
 /// A relative error of the curvature of 1 counts as much as an angle of this.
 constexpr double kCurvatureWeight = 0.1;
-/// Where the border folds, the cross derivative is held near the inward direction, weakly against
-/// the angle.
-constexpr double kSenseWeights[] = {0.0, 1e-3, 1e-2};
+/// Where the surface folds, the cross derivative is held near that of a surface that does not,
+/// weakly against the angle.
+constexpr double kSenseWeights[] = {0.0, 1e-3, 1e-2, 1e-1, 0.3};
 /// Of the energy against the mean square of a border residual.
 constexpr double kEnergyWeight = 1e-9;
 /// Solutions by the method of multipliers.
@@ -131,7 +131,8 @@ class System {
 
     /// The least energy among the best approximations, by the method of multipliers: what is left
     /// of the residuals is added to the values and the same matrix solved again.
-    [[nodiscard]] Result<Matrix3Xd> solve(const Eigen::SparseMatrix<double>& energy) const {
+    [[nodiscard]] Result<Matrix3Xd> solve(const Eigen::SparseMatrix<double>& energy,
+                                          int steps = kMultiplierSteps) const {
         const auto rows = static_cast<Eigen::Index>(values_.size());
         Eigen::SparseMatrix<double> a(rows, unknowns_);
         a.setFromTriplets(entries_.begin(), entries_.end());
@@ -146,7 +147,7 @@ class System {
         const VectorXd wanted = VectorXd::Map(values_.data(), rows);
         VectorXd raised = wanted;
         VectorXd solution;
-        for (int step = 0; step < kMultiplierSteps; ++step) {
+        for (int step = 0; step < steps; ++step) {
             solution = solver.solve(transposed * raised);
             raised += wanted - a * solution;
         }
@@ -242,6 +243,8 @@ class Fitter {
   public:
     Fitter(const BorderModel& model, const Hole& hole, const Sides& sides)
         : model_(model),
+          hole_(hole),
+          sides_(sides),
           slope_weight_(kAngleWeight * hole.diameter / model.depth),
           samples_(samples_of(model, hole, sides, 0.0)),
           between_(samples_of(model, hole, sides, kBetween)) {}
@@ -255,14 +258,18 @@ class Fitter {
     }
 
     /// before: the points of the step before, for G2.
-    [[nodiscard]] Result<BorderFit> fit(double sense, const Matrix3Xd* before) const {
+    [[nodiscard]] Result<BorderFit> fit(double sense, const Matrix3Xd* before) {
+        if (sense > 0.0 && across_.cols() == 0) {
+            find_across();
+        }
         System system(model_.points);
-        for (const Sample& sample : samples_) {
+        for (std::size_t i = 0; i < samples_.size(); ++i) {
+            const Sample& sample = samples_[i];
             add_sample(system, sample, slope_weight_, before);
             for (int c = 0; sense > 0.0 && c < 3; ++c) {
                 const double weight = sense * slope_weight_;
                 system.add(sample, Vector3d::Unit(c) * sample.row.weights.row(1),
-                           -model_.depth * sample.wanted.inward[c],
+                           across_(c, static_cast<Eigen::Index>(i)),
                            sample.weight * weight * weight);
             }
         }
@@ -275,22 +282,68 @@ class Fitter {
         if (auto measured = measure(fit, between_); !measured) {
             return tl::unexpected(measured.error());
         }
+        if (const auto fold = model_.fold(fit.points)) {
+            const int nearest =
+                sides_.sides[static_cast<std::size_t>(fold->side)].pieces.front().ribbon;
+            return fail(
+                ErrorCode::Refused,
+                "the surface folds at ({:.6g}, {:.6g}, {:.6g}), on the side of {}: its normal "
+                "turns by {:.0f} deg there, more than 90",
+                fold->at.x(), fold->at.y(), fold->at.z(),
+                name_of(hole_.loops.front().ribbons[static_cast<std::size_t>(nearest)]),
+                degrees(fold->angle));
+        }
         return fit;
     }
 
   private:
     static constexpr double kBetween = 0.37;
     const BorderModel& model_;
+    const Hole& hole_;
+    const Sides& sides_;
     double slope_weight_;
     std::vector<Sample> samples_;
     std::vector<Sample> between_;  ///< to measure at
+    Matrix3Xd across_;             ///< S_x at each sample as it should be, about
+
+    /// The cross derivatives of the membrane through the border, in the tangent planes; where it
+    /// stands upright on these, and without a membrane, of even layers.
+    void find_across() {
+        across_.resize(3, static_cast<Eigen::Index>(samples_.size()));
+        Result<Matrix3Xd> points = Matrix3Xd();
+        if (model_.membrane.size() > 0) {
+            System system(model_.points);
+            for (const Sample& sample : samples_) {
+                for (int c = 0; c < 3; ++c) {
+                    system.add(sample, Vector3d::Unit(c) * sample.row.weights.row(0),
+                               sample.wanted.point[c], sample.weight);
+                }
+            }
+            points = system.solve(model_.membrane, 1);
+        }
+        for (std::size_t i = 0; i < samples_.size(); ++i) {
+            const RibbonPoint& w = samples_[i].wanted;
+            const Vector3d outward = -w.inward;
+            Vector3d x = model_.depth * outward;
+            if (points && points->cols() > 0) {
+                const Vector3d free = derivatives(samples_[i], *points).col(1);
+                const Vector3d flat = free - w.normal * w.normal.dot(free);
+                // As long as the free one: a dome's is bent down, not shortened.
+                constexpr double kLeast = 0.2;
+                const double along = flat.dot(outward);
+                x = along > kLeast * free.norm() ? Vector3d(flat * (free.norm() / flat.norm()))
+                                                 : Vector3d(free.norm() * outward);
+            }
+            across_.col(static_cast<Eigen::Index>(i)) = x;
+        }
+    }
 };
 
 }  // namespace
 
 Result<BorderFit> fit_border(const BorderModel& model, const Hole& hole, const Sides& sides,
                              const Tolerance& limits) {
-    const Fitter fitter(model, hole, sides);
+    Fitter fitter(model, hole, sides);
     Result<BorderFit> fit;
     double sense = 0.0;
     for (const double weight : kSenseWeights) {

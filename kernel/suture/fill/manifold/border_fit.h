@@ -2,6 +2,7 @@
 
 #include "suture/base/result.h"
 #include "suture/base/tolerance.h"
+#include "suture/fill/manifold/fold.h"
 #include "suture/fill/manifold/sides.h"
 #include "suture/model/ribbon.h"
 
@@ -9,6 +10,7 @@
 #include <Eigen/SparseCore>
 
 #include <functional>
+#include <optional>
 #include <vector>
 
 namespace suture::manifold {
@@ -28,7 +30,11 @@ struct BorderModel {
     std::vector<double> centres;
     double depth = 1.0;                  ///< how far a unit of x leads, in model units, roughly
     Eigen::SparseMatrix<double> energy;  ///< of one coordinate of the points
+    /// The least squares of first differences, from which the cross derivatives take their size
+    /// where a surface folds else; empty: it is `depth`.
+    Eigen::SparseMatrix<double> membrane;
     std::function<BorderRow(int side, double y)> row;
+    std::function<std::optional<Fold>(const Eigen::Matrix3Xd& points)> fold;
 
     /// y on a side at a share of its length.
     [[nodiscard]] double y_at(int side, double share) const;
@@ -51,7 +57,7 @@ struct BorderFit {
 /// angle;
 ///          the steps for G2 are spared where these are not met without it.
 /// Refuses  a system that cannot be factorised; a border that faces the other way than the
-///          neighbours.
+///          neighbours; a surface that folds.
 [[nodiscard]] Result<BorderFit> fit_border(const BorderModel& model, const Hole& hole,
                                            const Sides& sides, const Tolerance& limits);
 

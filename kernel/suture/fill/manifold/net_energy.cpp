@@ -1,6 +1,7 @@
 #include "suture/fill/manifold/net_energy.h"
 
 #include <algorithm>
+#include <iterator>
 #include <vector>
 
 namespace suture::manifold {
@@ -51,13 +52,18 @@ std::vector<Difference> differences(const std::vector<double>& places, int order
 }  // namespace
 
 // NOLINTNEXTLINE(readability-function-cognitive-complexity)
-Eigen::SparseMatrix<double> net_energy(const Star& star, double flat) {
+Eigen::SparseMatrix<double> net_energy(const Star& star, const NetWeights& weights) {
     struct Term {
         int i, j;
         double weight;
     };
-    const Term terms[] = {{3, 0, 1.0},  {2, 1, 3.0},        {1, 2, 3.0}, {0, 3, 1.0},
-                          {2, 0, flat}, {1, 1, 2.0 * flat}, {0, 2, flat}};
+    const auto& [variation, plate, membrane] = weights;
+    const Term all[] = {{3, 0, variation}, {2, 1, 3.0 * variation}, {1, 2, 3.0 * variation},
+                        {0, 3, variation}, {2, 0, plate},           {1, 1, 2.0 * plate},
+                        {0, 2, plate},     {1, 0, membrane},        {0, 1, membrane}};
+    std::vector<Term> terms;
+    std::copy_if(std::begin(all), std::end(all), std::back_inserter(terms),
+                 [](const Term& term) { return term.weight > 0.0; });
     std::vector<Eigen::Triplet<double>> entries;
     for (int m = 0; m < star.n(); ++m) {
         const auto places_x = greville_of(star.knots_x(m), star.degree(), star.charts_x());

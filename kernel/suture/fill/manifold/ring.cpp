@@ -158,6 +158,9 @@ BorderModel Ring::border_model(double diameter) const {
     // Third derivatives of a disc with many columns weigh so much that the border would yield.
     constexpr double kShare = 1e-4;
     model.energy = kShare * energy();
+    model.fold = [ring = *this](const Eigen::Matrix3Xd& points) {
+        return find_fold(ring.spline(points));
+    };
     model.row = [ring = *this](int, double y) { return ring.row_at(y); };
     return model;
 }

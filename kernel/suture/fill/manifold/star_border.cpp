@@ -7,9 +7,6 @@
 namespace suture::manifold {
 namespace {
 
-/// Of the second differences against the third.
-constexpr double kFlatWeight = 1e-3;
-
 BorderRow row_at(const Star& star, int m, double y) {
     BorderRow row;
     const int degree = star.degree();
@@ -54,7 +51,11 @@ BorderModel border_model(const Star& star, double diameter, std::vector<double> 
     // From the border to the middle it is about a third of the diameter.
     constexpr double kShare = 0.35;
     model.depth = kShare * diameter / star.border(0);
-    model.energy = net_energy(star, kFlatWeight);
+    model.energy = net_energy(star, NetWeights());
+    model.membrane = net_energy(star, NetWeights{0.0, 0.0, 1.0});
+    model.fold = [star](const Eigen::Matrix3Xd& points) {
+        return find_fold(StarSurface(star, points));
+    };
     model.row = [star](int m, double y) { return row_at(star, m, y); };
     return model;
 }
