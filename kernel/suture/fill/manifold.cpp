@@ -70,6 +70,7 @@ Result<Fitted> fit_sizes(const Hole& hole, const FillOptions& options, const Sid
     std::optional<Fitted> best;
     double best_score = 0.0;
     Error error;
+    int failed = 0;
     for (int size = sizes.first;; size = sizes.after(size)) {
         if (options.progress.cancelled()) {
             return fail(ErrorCode::Cancelled, "stopped while filling");
@@ -87,6 +88,12 @@ Result<Fitted> fit_sizes(const Hole& hole, const FillOptions& options, const Sid
             }
         } else {
             error = fit.error();
+            ++failed;
+        }
+        // What folds three times folds however many layers there are.
+        constexpr int kHopeless = 3;
+        if (failed >= kHopeless) {
+            return best ? Result<Fitted>(*best) : tl::unexpected(error);
         }
         if (sizes.after(size) > sizes.most || (best && best_score <= 1.0)) {
             return best ? Result<Fitted>(*best) : tl::unexpected(error);

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <vector>
 
 namespace suture::manifold {
@@ -114,8 +115,12 @@ class System {
   public:
     explicit System(int count) : unknowns_(3 * count) {}
 
+    /// What is only wished for is weighed against the energy; all else comes before it.
+    enum class Kind { Demand, Wish };
+
     /// Adds the residual sum_k gradient_k . P_k - value.
-    void add(const Sample& sample, const MatrixXd& gradient, double value, double weight) {
+    void add(const Sample& sample, const MatrixXd& gradient, double value, double weight,
+             Kind kind = Kind::Demand) {
         const double root = std::sqrt(weight);
         const auto row = static_cast<int>(values_.size());
         for (std::size_t a = 0; a < sample.row.points.size(); ++a) {
@@ -127,10 +132,12 @@ class System {
             }
         }
         values_.push_back(root * value);
+        demanded_.push_back(kind == Kind::Demand ? 1.0 : 0.0);
     }
 
-    /// The least energy among the best approximations, by the method of multipliers: what is left
-    /// of the residuals is added to the values and the same matrix solved again.
+    /// The least energy and the most wishes among the best approximations, by the method of
+    /// multipliers: what is left of the residuals is added to the values and the same matrix
+    /// solved again.
     [[nodiscard]] Result<Matrix3Xd> solve(const Eigen::SparseMatrix<double>& energy,
                                           int steps = kMultiplierSteps) const {
         const auto rows = static_cast<Eigen::Index>(values_.size());
@@ -145,11 +152,12 @@ class System {
                         "the least squares of the border have no unique solution");
         }
         const VectorXd wanted = VectorXd::Map(values_.data(), rows);
+        const VectorXd demanded = VectorXd::Map(demanded_.data(), rows);
         VectorXd raised = wanted;
         VectorXd solution;
         for (int step = 0; step < steps; ++step) {
             solution = solver.solve(transposed * raised);
-            raised += wanted - a * solution;
+            raised += demanded.cwiseProduct(wanted - a * solution);
         }
         return Matrix3Xd(solution.reshaped(3, solution.size() / 3));
     }
@@ -158,6 +166,7 @@ class System {
     Eigen::Index unknowns_;
     std::vector<Eigen::Triplet<double>> entries_;
     std::vector<double> values_;
+    std::vector<double> demanded_;  ///< 1 or 0
 
     [[nodiscard]] Eigen::SparseMatrix<double> in_space(
         const Eigen::SparseMatrix<double>& energy) const {
@@ -246,8 +255,13 @@ class Fitter {
           hole_(hole),
           sides_(sides),
           slope_weight_(kAngleWeight * hole.diameter / model.depth),
-          samples_(samples_of(model, hole, sides, 0.0)),
-          between_(samples_of(model, hole, sides, kBetween)) {}
+          samples_(samples_of(model, hole, sides, 0.0)) {
+        // Ends included: next to corners the angle is largest.
+        for (const double offset : {0.0, 0.1, 0.37}) {
+            std::vector<Sample> more = samples_of(model, hole, sides, offset);
+            std::move(more.begin(), more.end(), std::back_inserter(measured_));
+        }
+    }
 
     /// Whether any sample asks for G2 and the model can have it.
     [[nodiscard]] bool curved() const {
@@ -270,7 +284,7 @@ class Fitter {
                 const double weight = sense * slope_weight_;
                 system.add(sample, Vector3d::Unit(c) * sample.row.weights.row(1),
                            across_(c, static_cast<Eigen::Index>(i)),
-                           sample.weight * weight * weight);
+                           sample.weight * weight * weight, System::Kind::Wish);
             }
         }
         auto points = system.solve(model_.energy);
@@ -279,7 +293,7 @@ class Fitter {
         }
         BorderFit fit;
         fit.points = std::move(*points);
-        if (auto measured = measure(fit, between_); !measured) {
+        if (auto measured = measure(fit, measured_); !measured) {
             return tl::unexpected(measured.error());
         }
         if (const auto fold = model_.fold(fit.points)) {
@@ -297,14 +311,13 @@ class Fitter {
     }
 
   private:
-    static constexpr double kBetween = 0.37;
     const BorderModel& model_;
     const Hole& hole_;
     const Sides& sides_;
     double slope_weight_;
     std::vector<Sample> samples_;
-    std::vector<Sample> between_;  ///< to measure at
-    Matrix3Xd across_;             ///< S_x at each sample as it should be, about
+    std::vector<Sample> measured_;
+    Matrix3Xd across_;  ///< S_x at each sample as it should be, about
 
     /// The cross derivatives of the membrane through the border, in the tangent planes; where it
     /// stands upright on these, and without a membrane, of even layers.

@@ -2,6 +2,7 @@
 
 #include "suture/base/tolerance.h"
 #include "suture/fill/manifold/layout.h"
+#include "suture/fill/manifold/make_middle.h"
 
 #include <Eigen/Cholesky>
 #include <Eigen/Geometry>
@@ -68,7 +69,6 @@ TEST(ManifoldCells, CoverTheMiddleOnce) {
             const auto e = static_cast<int>(cells->edges.size());
             const auto f = static_cast<int>(cells->cells.size());
             EXPECT_EQ(v - e + f, 1) << "n = " << n << ", k = " << k;
-            std::cout << n << " " << k << ": " << f << " cells\n";
         }
     }
 }
@@ -125,10 +125,121 @@ TEST(ManifoldCells, AreTheSurfaceItself) {
                 }
             }
             EXPECT_LT(worst, 1e-11 * size) << "n = " << n << ", k = " << k;
-            std::cout << n << " " << k << ": worst " << worst / size << " least weight " << least
-                      << "\n";
+            EXPECT_GT(least, 0.1) << "n = " << n << ", k = " << k;
         }
     }
+}
+
+/// What is on both sides of every inner edge.
+TEST(ManifoldCells, MeetEachOtherAndTheStripsExactly) {
+    for (const int n : {3, 5, 6}) {
+        const Star star = make_star(uneven(1, n));
+        const StarSurface surface(star, rough_points(star));
+        const auto made = make_middle(surface, MiddleForm::Cells, 0.0);
+        ASSERT_TRUE(made) << made.error().message;
+        EXPECT_TRUE(made->exact);
+        const FillResult result = lay_out(surface, made->middle, {});
+        std::vector<std::vector<std::pair<const SplineSurface*, const EdgeUse*>>> uses(
+            result.inner_edges.size());
+        for (const Patch& patch : result.patches) {
+            EXPECT_TRUE(patch.exact);
+            for (const EdgeUse& use : patch.wires.front()) {
+                uses[static_cast<std::size_t>(use.index)].emplace_back(
+                    &std::get<SplineSurface>(patch.surface), &use);
+            }
+        }
+        const double size = diameter(surface.points());
+        int single = 0;
+        for (const auto& both : uses) {
+            single += both.size() == 1 ? 1 : 0;
+            ASSERT_TRUE(both.size() == 1 || both.size() == 2);
+            for (int i = 0; both.size() == 2 && i <= 8; ++i) {
+                const auto jet = [&](std::size_t which) {
+                    const Vector2d at = both[which].second->at(i / 8.0);
+                    return evaluate(*both[which].first, at.x(), at.y());
+                };
+                const SurfaceJet a = jet(0);
+                const SurfaceJet b = jet(1);
+                EXPECT_LT((a.point - b.point).norm(), 1e-11 * size);
+                const Vector3d normal_a = a.u.cross(a.v).normalized();
+                const Vector3d normal_b = b.u.cross(b.v).normalized();
+                EXPECT_LT(degrees(normal_a.cross(normal_b).norm()), 1e-6);
+                EXPECT_GT(normal_a.dot(normal_b), 0.0);
+            }
+        }
+        EXPECT_EQ(single, n);
+    }
+}
+
+TEST(ManifoldCells, AreRefusedWhereTheirDegreeIsTooHigh) {
+    const Star star = make_star(uneven(2, 5));
+    const auto made = make_middle(StarSurface(star, rough_points(star)), MiddleForm::Cells, 1.0);
+    ASSERT_FALSE(made);
+    EXPECT_NE(made.error().message.find("degree 15"), std::string::npos) << made.error().message;
+}
+
+TEST(ManifoldCells, TakeThePlaceOfQuadsThatCannotFollowTheKinks) {
+    for (const int k : {0, 1}) {
+        const Star star = make_star(uneven(k, 5));
+        const StarSurface surface(star, rough_points(star));
+        const auto chosen = make_middle(surface, MiddleForm::Auto, 1e-6);
+        ASSERT_TRUE(chosen);
+        EXPECT_TRUE(chosen->exact);
+        EXPECT_NE(chosen->note.find("off by"), std::string::npos) << chosen->note;
+        const auto quads = make_middle(surface, MiddleForm::Quads, 1e-6);
+        ASSERT_TRUE(quads);
+        EXPECT_FALSE(quads->exact);
+        EXPECT_GT(quads->error, 1e-6);
+        EXPECT_FALSE(make_middle(surface, MiddleForm::Auto, 1e3)->exact);
+    }
+}
+
+/// A parabola that touches a line, three lines through a point, and lines on each other.
+TEST(ManifoldArrangement, CutsCurvesThatTouchAndLieOnEachOther) {
+    std::vector<PlaneCurve> curves;
+    const auto add = [&](const Vector2d& axis, double offset, double from, double to, double bend) {
+        curves.push_back({axis.normalized(), offset, bend, from, to});
+    };
+    // A square of side 2, its lower side in two parts that overlap.
+    add({0.0, -1.0}, 1.0, -1.0, 0.3, 0.0);
+    add({0.0, -1.0}, 1.0, 0.1, 1.0, 0.0);
+    add({1.0, 0.0}, 1.0, -1.0, 1.0, 0.0);
+    add({0.0, 1.0}, 1.0, -1.0, 1.0, 0.0);
+    add({-1.0, 0.0}, 1.0, -1.0, 1.0, 0.0);
+    // Three lines through the middle, and a loose end.
+    add({1.0, 0.0}, 0.0, -1.0, 1.0, 0.0);
+    add({0.0, -1.0}, 0.0, -1.0, 1.0, 0.0);
+    add({-1.0, 1.0}, 0.0, -std::sqrt(2.0), std::sqrt(2.0), 0.0);
+    add({-1.0, 0.2}, 0.0, 0.0, 0.3, 0.0);
+    // y = -1 + x^2 / 2 touches the lower side in its middle.
+    add({0.0, 1.0}, -1.0, -1.0, 1.0, 0.5);
+    const auto cells =
+        arrange(curves, 2.0, [](const Vector2d& p) { return p.cwiseAbs().maxCoeff() < 1.01; });
+    ASSERT_TRUE(cells) << cells.error().message;
+    double sum = 0.0;
+    for (const auto& cell : cells->cells) {
+        for (const Arrangement::Use& use : cell) {
+            sum += 0.5 * area_under(*cells, use);
+        }
+    }
+    EXPECT_NEAR(sum, 4.0, 1e-12);
+    // Six sectors, of which the parabola cuts the lower three.
+    const auto v = static_cast<int>(cells->vertices.size());
+    const auto e = static_cast<int>(cells->edges.size());
+    const auto f = static_cast<int>(cells->cells.size());
+    EXPECT_EQ(v - e + f, 1);
+    EXPECT_EQ(f, 9);
+}
+
+TEST(ManifoldArrangement, RefusesEdgesTooShortForAModel) {
+    std::vector<PlaneCurve> curves = {
+        {{0.0, -1.0}, 1.0, 0.0, -1.0, 1.0}, {{1.0, 0.0}, 1.0, 0.0, -1.0, 1.0},
+        {{0.0, 1.0}, 1.0, 0.0, -1.0, 1.0},  {{-1.0, 0.0}, 1.0, 0.0, -1.0, 1.0},
+        {{1.0, 0.0}, 0.0, 0.0, -1.0, 1.0},  {{1.0, 0.0}, 1e-7, 0.0, -1.0, 1.0},
+    };
+    const auto cells = arrange(curves, 2.0, [](const Vector2d&) { return true; });
+    ASSERT_FALSE(cells);
+    EXPECT_NE(cells.error().message.find("another aperture"), std::string::npos);
 }
 
 }  // namespace
