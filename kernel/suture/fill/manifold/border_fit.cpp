@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <map>
 #include <vector>
 
 namespace suture::manifold {
@@ -29,6 +30,8 @@ constexpr double kSenseWeights[] = {0.0, 1e-3, 1e-2, 1e-1, 0.3};
 constexpr double kEnergyWeight = 1e-9;
 /// Solutions by the method of multipliers.
 constexpr int kMultiplierSteps = 8;
+/// A cross derivative that falls below this share of its median is mended like a fold.
+constexpr double kEven = 0.1;
 /// Samples of the border a knot interval.
 constexpr int kSamples = 4;
 
@@ -210,11 +213,20 @@ void add_sample(System& system, const Sample& sample, double slope_weight,
                -x.dot(w.curvature * x), sample.weight * bend * bend);
 }
 
+/// The least of some values, as a share of their median.
+double evenness_of(std::vector<double>& values) {
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return *std::min_element(values.begin(), values.end()) / *middle;
+}
+
 /// Where the border faces the neighbours' way all along, the largest gap and angle.
 Result<void> measure(BorderFit& fit, const std::vector<Sample>& samples) {
+    std::map<const Ribbon*, std::vector<double>> outward;
     for (const Sample& sample : samples) {
         const Matrix3Xd d = derivatives(sample, fit.points);
         fit.gap = std::max(fit.gap, (d.col(0) - sample.wanted.point).norm());
+        outward[sample.ribbon].push_back(-sample.wanted.inward.dot(d.col(1)));
         if (sample.ribbon->continuity < Continuity::G1) {
             continue;
         }
@@ -227,6 +239,9 @@ Result<void> measure(BorderFit& fit, const std::vector<Sample>& samples) {
                         name_of(*sample.ribbon), degrees(angle));
         }
         fit.angle = std::max(fit.angle, angle);
+    }
+    for (auto& [unused, values] : outward) {
+        fit.evenness = std::min(fit.evenness, evenness_of(values));
     }
     return {};
 }
@@ -302,7 +317,7 @@ class Fitter {
             return fail(
                 ErrorCode::Refused,
                 "the surface folds at ({:.6g}, {:.6g}, {:.6g}), on the side of {}: its normal "
-                "turns by {:.0f} deg there, more than 90",
+                "turns by {:.0f} deg from one sample to the next",
                 fold->at.x(), fold->at.y(), fold->at.z(),
                 name_of(hole_.loops.front().ribbons[static_cast<std::size_t>(nearest)]),
                 degrees(fold->angle));
@@ -349,6 +364,24 @@ class Fitter {
             }
             across_.col(static_cast<Eigen::Index>(i)) = x;
         }
+        lengthen();
+    }
+
+    /// None of them shorter than a share of the median on its ribbon.
+    void lengthen() {
+        std::map<const Ribbon*, std::vector<double>> lengths;
+        for (std::size_t i = 0; i < samples_.size(); ++i) {
+            lengths[samples_[i].ribbon].push_back(across_.col(static_cast<Eigen::Index>(i)).norm());
+        }
+        for (auto& [unused, own] : lengths) {
+            std::sort(own.begin(), own.end());
+        }
+        constexpr double kLeast = 0.4;
+        for (std::size_t i = 0; i < samples_.size(); ++i) {
+            const std::vector<double>& own = lengths[samples_[i].ribbon];
+            auto x = across_.col(static_cast<Eigen::Index>(i));
+            x *= std::max(1.0, kLeast * own[own.size() / 2] / x.norm());
+        }
     }
 };
 
@@ -360,9 +393,12 @@ Result<BorderFit> fit_border(const BorderModel& model, const Hole& hole, const S
     Result<BorderFit> fit;
     double sense = 0.0;
     for (const double weight : kSenseWeights) {
-        sense = weight;
-        fit = fitter.fit(sense, nullptr);
-        if (fit) {
+        auto next = fitter.fit(weight, nullptr);
+        if (!fit || (next && next->evenness > fit->evenness) || fit->points.size() == 0) {
+            fit = std::move(next);
+            sense = weight;
+        }
+        if (fit && fit->evenness >= kEven) {
             break;
         }
     }

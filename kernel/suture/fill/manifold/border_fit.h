@@ -47,6 +47,9 @@ struct BorderFit {
     Eigen::Matrix3Xd points;
     double gap = 0.0;    ///< largest distance from the ribbons, between the fitted samples
     double angle = 0.0;  ///< largest angle from the neighbours' tangent planes, where wanted
+    /// The least cross derivative outwards, as a share of its median on the same ribbon: near zero
+    /// the surface almost folds.
+    double evenness = 1.0;
 };
 
 /// Least squares over the border's samples

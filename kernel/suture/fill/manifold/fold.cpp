@@ -16,6 +16,9 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
+/// A fold turns the normal over; a tight bend between two samples turns it by less.
+constexpr double kSharpest = radians(120.0);
+
 /// A point of a surface and its normal, of any length.
 struct Place {
     Vector3d point, normal;
@@ -36,7 +39,7 @@ void look(int rows, int columns, int side, const std::function<Place(double s, d
                 }
                 const double angle = std::atan2(row.back().normal.cross(other->normal).norm(),
                                                 row.back().normal.dot(other->normal));
-                if (angle > std::max(kPi / 2.0, worst ? worst->angle : 0.0)) {
+                if (angle > std::max(kSharpest, worst ? worst->angle : 0.0)) {
                     worst = Fold{row.back().point, angle, side};
                 }
             }

@@ -8,7 +8,7 @@
 namespace suture::manifold {
 
 /// Where a surface turns over: between two samples next to each other its normal turns by more than
-/// a right angle, so that its Jacobian changes sign against either of them.
+/// 120 degrees, so that its Jacobian changes sign against either of them.
 struct Fold {
     Eigen::Vector3d at = Eigen::Vector3d::Zero();
     double angle = 0.0;  ///< between the two normals
