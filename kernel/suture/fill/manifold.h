@@ -15,7 +15,7 @@ namespace suture {
 ///           within tolerance. The notes say what was reached.
 /// Options   k, aperture, layers, middle (kManifoldOptions).
 /// Refuses   islands and points to pass through; a loop with one or two corners or with a reflex
-///           one; a border that folds.
+///           one; a border or a surface that folds.
 /// Source    Cotrina-Navau, Pla-Garcia, Vigo-Anglada, N-sided patches with B-spline boundaries,
 ///           2001; fitting it to a hole is our own: docs/methods/manifold.md.
 [[nodiscard]] Result<FillResult> fill_manifold(const Hole& hole, const FillOptions& options);
