@@ -42,4 +42,7 @@ build=${SUTURE_BUILD:-build/release}
 "$build/tests/kernel/core/concentric/suture_concentric_maps" | docs/figures/concentric.py docs/figures
 
 # The patches of docs/methods/manifold.md.
-docs/figures/patches.py "$build/bin/suture" docs/figures/manifold.png
+docs/figures/patches.py ./suture docs/figures/manifold.png
+
+# The paper's two surfaces of docs/methods/algebraic.md.
+docs/figures/algebraic.py ./suture docs/figures/algebraic.png

@@ -1,9 +1,10 @@
 #include "suture/fill/manifold/border_fit.h"
 
 #include "suture/base/tolerance.h"
+#include "suture/fill/manifold/border_samples.h"
+#include "suture/fill/manifold/border_system.h"
 
 #include <Eigen/Geometry>
-#include <Eigen/SparseCholesky>
 
 #include <algorithm>
 #include <cmath>
@@ -15,9 +16,7 @@ namespace suture::manifold {
 namespace {
 
 using Eigen::Matrix3Xd;
-using Eigen::MatrixXd;
 using Eigen::Vector3d;
-using Eigen::VectorXd;
 
 /// An angle of 1 counts as much as a distance of this share of the diameter.
 constexpr double kAngleWeight = 0.05;
@@ -26,171 +25,11 @@ constexpr double kCurvatureWeight = 0.1;
 /// Where the surface folds, the cross derivative is held near that of a surface that does not,
 /// weakly against the angle.
 constexpr double kSenseWeights[] = {0.0, 1e-3, 1e-2, 1e-1, 0.3};
-/// Of the energy against the mean square of a border residual.
-constexpr double kEnergyWeight = 1e-9;
-/// Solutions by the method of multipliers.
-constexpr int kMultiplierSteps = 8;
 /// A cross derivative that falls below this share of its median is mended like a fold.
 constexpr double kEven = 0.1;
-/// Samples of the border a knot interval.
-constexpr int kSamples = 4;
-
-/// A sample of a ribbon and where it lies on the border.
-struct Sample {
-    const Ribbon* ribbon = nullptr;
-    RibbonPoint wanted;
-    BorderRow row;
-    double weight = 0.0;
-};
-
-Matrix3Xd derivatives(const Sample& sample, const Matrix3Xd& points) {
-    Matrix3Xd own(3, static_cast<Eigen::Index>(sample.row.points.size()));
-    for (std::size_t k = 0; k < sample.row.points.size(); ++k) {
-        own.col(static_cast<Eigen::Index>(k)) = points.col(sample.row.points[k]);
-    }
-    return own * sample.row.weights.transpose();
-}
-
-/// The parameter s at which a piece has come to a share of its length.
-double at_share(const Piece& piece, double share) {
-    double low = 0.0;
-    double high = 1.0;
-    constexpr int kHalvings = 50;
-    for (int k = 0; k < kHalvings; ++k) {
-        const double middle = 0.5 * (low + high);
-        (piece.along(middle) < share ? low : high) = middle;
-    }
-    return 0.5 * (low + high);
-}
-
-/// The knots of a side within a piece, as shares of the piece's length from 0 to 1.
-std::vector<double> knots_on(const BorderModel& model, int side, const Piece& piece) {
-    const auto m = static_cast<std::size_t>(side);
-    const double from = model.y_at(side, piece.from);
-    const double to = model.y_at(side, piece.to);
-    std::vector<double> shares = {0.0};
-    for (const double y : model.knots[m]) {
-        const double share = (y - from) / (to - from);
-        constexpr double kSame = 1e-6;
-        if (share > shares.back() + kSame && share < 1.0 - kSame) {
-            shares.push_back(share);
-        }
-    }
-    shares.push_back(1.0);
-    return shares;
-}
-
-/// Samples in every knot interval, `offset` of their distance from its start; all count the same,
-/// so that short intervals next to corners are fitted as well as long ones.
-std::vector<Sample> samples_of(const BorderModel& model, const Hole& hole, const Sides& sides,
-                               double offset) {
-    std::vector<Sample> samples;
-    for (std::size_t m = 0; m < sides.sides.size(); ++m) {
-        const auto side = static_cast<int>(m);
-        for (const Piece& piece : sides.sides[m].pieces) {
-            const Ribbon& ribbon =
-                hole.loops.front().ribbons[static_cast<std::size_t>(piece.ribbon)];
-            const std::vector<double> shares = knots_on(model, side, piece);
-            for (std::size_t i = 0; i + 1 < shares.size(); ++i) {
-                const int last = i + 2 < shares.size() ? kSamples - 1 : kSamples;
-                for (int q = 0; q <= last; ++q) {
-                    const double within = std::min(1.0, (q + offset) / kSamples);
-                    const double share = shares[i] + within * (shares[i + 1] - shares[i]);
-                    const double s = at_share(piece, share);
-                    Sample sample;
-                    sample.row = model.row(side, model.y_of(side, piece, s));
-                    sample.ribbon = &ribbon;
-                    sample.wanted = ribbon.at(s);
-                    sample.wanted.point = piece.meeting_point(sample.wanted.point, s);
-                    samples.push_back(std::move(sample));
-                }
-            }
-        }
-    }
-    for (Sample& sample : samples) {
-        sample.weight = 1.0 / static_cast<double>(samples.size());
-    }
-    return samples;
-}
-
-/// Least squares in the three coordinates of all points together.
-class System {
-  public:
-    explicit System(int count) : unknowns_(3 * count) {}
-
-    /// What is only wished for is weighed against the energy; all else comes before it.
-    enum class Kind { Demand, Wish };
-
-    /// Adds the residual sum_k gradient_k . P_k - value.
-    void add(const Sample& sample, const MatrixXd& gradient, double value, double weight,
-             Kind kind = Kind::Demand) {
-        const double root = std::sqrt(weight);
-        const auto row = static_cast<int>(values_.size());
-        for (std::size_t a = 0; a < sample.row.points.size(); ++a) {
-            for (int c = 0; c < 3; ++c) {
-                const double x = root * gradient(c, static_cast<Eigen::Index>(a));
-                if (x != 0.0) {
-                    entries_.emplace_back(row, 3 * sample.row.points[a] + c, x);
-                }
-            }
-        }
-        values_.push_back(root * value);
-        demanded_.push_back(kind == Kind::Demand ? 1.0 : 0.0);
-    }
-
-    /// The least energy and the most wishes among the best approximations, by the method of
-    /// multipliers: what is left of the residuals is added to the values and the same matrix
-    /// solved again.
-    [[nodiscard]] Result<Matrix3Xd> solve(const Eigen::SparseMatrix<double>& energy,
-                                          int steps = kMultiplierSteps) const {
-        const auto rows = static_cast<Eigen::Index>(values_.size());
-        Eigen::SparseMatrix<double> a(rows, unknowns_);
-        a.setFromTriplets(entries_.begin(), entries_.end());
-        const Eigen::SparseMatrix<double> transposed = a.transpose();
-        const Eigen::SparseMatrix<double> matrix =
-            Eigen::SparseMatrix<double>(transposed * a) + in_space(energy);
-        const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver(matrix);
-        if (solver.info() != Eigen::Success) {
-            return fail(ErrorCode::Refused,
-                        "the least squares of the border have no unique solution");
-        }
-        const VectorXd wanted = VectorXd::Map(values_.data(), rows);
-        const VectorXd demanded = VectorXd::Map(demanded_.data(), rows);
-        VectorXd raised = wanted;
-        VectorXd solution;
-        for (int step = 0; step < steps; ++step) {
-            solution = solver.solve(transposed * raised);
-            raised += demanded.cwiseProduct(wanted - a * solution);
-        }
-        return Matrix3Xd(solution.reshaped(3, solution.size() / 3));
-    }
-
-  private:
-    Eigen::Index unknowns_;
-    std::vector<Eigen::Triplet<double>> entries_;
-    std::vector<double> values_;
-    std::vector<double> demanded_;  ///< 1 or 0
-
-    [[nodiscard]] Eigen::SparseMatrix<double> in_space(
-        const Eigen::SparseMatrix<double>& energy) const {
-        std::vector<Eigen::Triplet<double>> entries;
-        for (int column = 0; column < energy.outerSize(); ++column) {
-            for (Eigen::SparseMatrix<double>::InnerIterator it(energy, column); it; ++it) {
-                for (int c = 0; c < 3; ++c) {
-                    entries.emplace_back(3 * static_cast<int>(it.row()) + c,
-                                         3 * static_cast<int>(it.col()) + c,
-                                         kEnergyWeight * it.value());
-                }
-            }
-        }
-        Eigen::SparseMatrix<double> matrix(unknowns_, unknowns_);
-        matrix.setFromTriplets(entries.begin(), entries.end());
-        return matrix;
-    }
-};
 
 /// Adds what one sample asks for. before: the points of the step before, for G2.
-void add_sample(System& system, const Sample& sample, double slope_weight,
+void add_sample(BorderSystem& system, const Sample& sample, double slope_weight,
                 const Matrix3Xd* before) {
     const RibbonPoint& w = sample.wanted;
     for (int c = 0; c < 3; ++c) {
@@ -246,22 +85,6 @@ Result<void> measure(BorderFit& fit, const std::vector<Sample>& samples) {
     return {};
 }
 
-}  // namespace
-
-double BorderModel::y_at(int side, double share) const {
-    const auto m = static_cast<std::size_t>(side);
-    const double c = centres.empty() ? 0.0 : centres[m];
-    const double t = 2.0 * share - 1.0;
-    const double moved = t - c * (1.0 - t * t) / (1.0 - c * c);
-    return knots[m].front() + (knots[m].back() - knots[m].front()) * 0.5 * (1.0 + moved);
-}
-
-double BorderModel::y_of(int side, const Piece& piece, double s) const {
-    return y_at(side, piece.from + (piece.to - piece.from) * piece.along(s));
-}
-
-namespace {
-
 /// One border's fit, over and over with more asked of it.
 class Fitter {
   public:
@@ -291,7 +114,7 @@ class Fitter {
         if (sense > 0.0 && across_.cols() == 0) {
             find_across();
         }
-        System system(model_.points);
+        BorderSystem system(model_.points);
         for (std::size_t i = 0; i < samples_.size(); ++i) {
             const Sample& sample = samples_[i];
             add_sample(system, sample, slope_weight_, before);
@@ -299,7 +122,7 @@ class Fitter {
                 const double weight = sense * slope_weight_;
                 system.add(sample, Vector3d::Unit(c) * sample.row.weights.row(1),
                            across_(c, static_cast<Eigen::Index>(i)),
-                           sample.weight * weight * weight, System::Kind::Wish);
+                           sample.weight * weight * weight, BorderSystem::Kind::Wish);
             }
         }
         auto points = system.solve(model_.energy);
@@ -340,7 +163,7 @@ class Fitter {
         across_.resize(3, static_cast<Eigen::Index>(samples_.size()));
         Result<Matrix3Xd> points = Matrix3Xd();
         if (model_.membrane.size() > 0) {
-            System system(model_.points);
+            BorderSystem system(model_.points);
             for (const Sample& sample : samples_) {
                 for (int c = 0; c < 3; ++c) {
                     system.add(sample, Vector3d::Unit(c) * sample.row.weights.row(0),
