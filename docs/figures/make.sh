@@ -44,5 +44,8 @@ build=${SUTURE_BUILD:-build/release}
 # Those of docs/methods/tube.md.
 docs/figures/tube.sh
 
+# The patches of docs/methods/manifold.md.
+docs/figures/patches.py ./suture docs/figures/manifold.png
+
 # The paper's two surfaces of docs/methods/algebraic.md.
 docs/figures/algebraic.py ./suture docs/figures/algebraic.png
