@@ -84,9 +84,6 @@ Result<FillResult> fill_curved(const Hole& hole, const Boundary& boundary,
     for (int i = 0; i < boundary.count(); ++i) {
         concentric::insert_node(axis, i);
     }
-    if (auto smooth = concentric::make_restful(axis, boundary.planar); !smooth) {
-        return tl::unexpected(named_after_sides(smooth.error(), hole));
-    }
     const std::vector<Region> regions = concentric::regions_of(boundary, axis, single);
     auto lift = concentric::Lift::make(hole, boundary, axis, tolerance);
     if (!lift) {

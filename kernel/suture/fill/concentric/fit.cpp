@@ -17,18 +17,31 @@ constexpr int kMostSpans = 128;
 /// Samples per span to measure the error at.
 constexpr int kProbes = 3;
 
+}  // namespace
+
+std::vector<Break> sorted(std::vector<Break> breaks) {
+    std::sort(breaks.begin(), breaks.end(), [](const Break& a, const Break& b) {
+        return a.at < b.at || (a.at == b.at && !a.tangent && b.tangent);
+    });
+    breaks.erase(std::unique(breaks.begin(), breaks.end(),
+                             [](const Break& a, const Break& b) { return a.at == b.at; }),
+                 breaks.end());
+    return breaks;
+}
+
 SplineCurve interpolated(const std::function<Eigen::VectorXd(double)>& at,
-                         const std::vector<double>& breaks, int degree, int spans) {
-    const double from = breaks.front();
-    const double to = breaks.back();
+                         const std::vector<Break>& breaks, int degree, int spans) {
+    const double from = breaks.front().at;
+    const double to = breaks.back().at;
     SplineCurve curve{degree, std::vector<double>(static_cast<std::size_t>(degree + 1), from), {}};
     for (std::size_t i = 1; i < breaks.size(); ++i) {
+        const double length = breaks[i].at - breaks[i - 1].at;
         for (int k = 1; k < spans; ++k) {
-            curve.knots.push_back(breaks[i - 1] + (breaks[i] - breaks[i - 1]) * k / spans);
+            curve.knots.push_back(breaks[i - 1].at + length * k / spans);
         }
         const bool last = i + 1 == breaks.size();
-        curve.knots.insert(curve.knots.end(), static_cast<std::size_t>(degree + (last ? 1 : 0)),
-                           breaks[i]);
+        const int times = last ? degree + 1 : (breaks[i].tangent ? degree - 1 : degree);
+        curve.knots.insert(curve.knots.end(), static_cast<std::size_t>(times), breaks[i].at);
     }
     const auto n = static_cast<int>(curve.knots.size()) - degree - 1;
     curve.poles.resize(at(from).size(), n);
@@ -54,18 +67,16 @@ SplineCurve interpolated(const std::function<Eigen::VectorXd(double)>& at,
     return curve;
 }
 
-}  // namespace
-
 FittedCurve fit_curve(const std::function<Eigen::VectorXd(double)>& at,
-                      const std::vector<double>& breaks, int degree, double accuracy) {
+                      const std::vector<Break>& breaks, int degree, double accuracy) {
     FittedCurve best;
     for (int spans = 1; spans <= kMostSpans; spans *= 2) {
         FittedCurve fit{interpolated(at, breaks, degree, spans), 0.0};
         for (std::size_t i = 1; i < breaks.size(); ++i) {
-            const double step = (breaks[i] - breaks[i - 1]) / (kProbes * spans);
+            const double step = (breaks[i].at - breaks[i - 1].at) / (kProbes * spans);
             for (int k = 0; k < kProbes * spans; ++k) {
                 // Off-centre: the error of an interpolant can vanish in the middle by symmetry.
-                const double t = breaks[i - 1] + (k + 0.4) * step;
+                const double t = breaks[i - 1].at + (k + 0.4) * step;
                 fit.error = std::max(fit.error, (evaluate(fit.curve, t).col(0) - at(t)).norm());
             }
         }

@@ -1,6 +1,6 @@
 #include "suture/fill/concentric/height.h"
 
-#include <Eigen/QR>
+#include <Eigen/LU>
 
 #include <algorithm>
 #include <cmath>
@@ -11,13 +11,14 @@ namespace {
 using Eigen::Matrix2d;
 using Eigen::MatrixXd;
 using Eigen::Vector2d;
+using Eigen::Vector3d;
 using Eigen::VectorXd;
 
 constexpr int kQuadratic = 6;
 
 double phi(const Vector2d& d) {
-    const double r = d.norm();
-    return std::pow(r, 5);
+    const double r2 = d.squaredNorm();
+    return r2 * r2 * std::sqrt(r2);
 }
 Vector2d gradient_of_phi(const Vector2d& d) {
     const double r = d.norm();
@@ -41,18 +42,97 @@ MatrixXd gradient_of_quadratic(const Vector2d& x) {
     return g;
 }
 
+/// Samples of all sides at first, and at most; of one side at least.
+constexpr int kFirstSamples = 96;
+constexpr int kMostSamples = 768;
+constexpr int kLeastOfSide = 6;
+
+/// The field is finer than the wanted angle by this factor.
+constexpr double kShare = 0.1;
+
+HeightSample sample_of(const Ribbon& ribbon, const Boundary& boundary, double s) {
+    const RibbonPoint p = ribbon.at(s);
+    const Vector3d local = boundary.coordinates(p.point);
+    HeightSample sample{local.head<2>(), local.z()};
+    if (ribbon.continuity >= Continuity::G1) {
+        const Frame& frame = boundary.frame;
+        const Vector2d gradient(-p.normal.dot(frame.x), -p.normal.dot(frame.y));
+        sample.direction = Vector2d(p.inward.dot(frame.x), p.inward.dot(frame.y)).normalized();
+        sample.slope = sample.direction.dot(gradient) / p.normal.dot(frame.z);
+    }
+    return sample;
+}
+
+double length_of(const Ribbon& ribbon) {
+    constexpr int kChords = 16;
+    double length = 0.0;
+    for (int k = 0; k < kChords; ++k) {
+        length += ribbon.at((k + 0.5) / kChords).tangent.norm() / kChords;
+    }
+    return length;
+}
+
+/// How many samples each side gets of so many.
+std::vector<int> shares(const Hole& hole, int samples) {
+    std::vector<double> lengths;
+    double all = 0.0;
+    for (const Ribbon& ribbon : hole.loops.front().ribbons) {
+        lengths.push_back(length_of(ribbon));
+        all += lengths.back();
+    }
+    std::vector<int> counts;
+    for (const double length : lengths) {
+        counts.push_back(std::max(kLeastOfSide, static_cast<int>(samples * length / all)));
+    }
+    return counts;
+}
+
+/// The largest angle by which a field misses a neighbour's tangent plane, half way between samples.
+double missed_angle(const HeightField& field, const Hole& hole, const Boundary& boundary,
+                    const std::vector<int>& counts) {
+    double largest = 0.0;
+    for (std::size_t i = 0; i < counts.size(); ++i) {
+        for (int k = 0; k <= counts[i]; ++k) {
+            const HeightSample at = sample_of(hole.loops.front().ribbons[i], boundary,
+                                              static_cast<double>(k) / counts[i]);
+            const double slope = at.direction.dot(field.gradient(at.at));
+            largest = std::max(largest, std::abs(std::atan(slope) - std::atan(at.slope)));
+        }
+    }
+    return largest;
+}
+
 }  // namespace
 
-HeightField::HeightField(const std::vector<HeightSample>& samples) : samples_(samples) {
-    Vector2d low = samples.front().at;
+HeightField HeightField::over(const Hole& hole, const Boundary& boundary,
+                              const Tolerance& tolerance) {
+    for (int samples = kFirstSamples;; samples *= 2) {
+        const std::vector<int> counts = shares(hole, samples);
+        std::vector<HeightSample> all;
+        for (std::size_t i = 0; i < counts.size(); ++i) {
+            for (int k = 0; k < counts[i]; ++k) {
+                all.push_back(
+                    sample_of(hole.loops.front().ribbons[i], boundary, (k + 0.5) / counts[i]));
+            }
+        }
+        HeightField field(std::move(all));
+        if (2 * samples > kMostSamples ||
+            missed_angle(field, hole, boundary, counts) <= kShare * tolerance.angular) {
+            return field;
+        }
+    }
+}
+
+HeightField::HeightField(std::vector<HeightSample> samples) : samples_(std::move(samples)) {
+    Vector2d low = samples_.front().at;
     Vector2d high = low;
-    for (const HeightSample& sample : samples) {
+    for (const HeightSample& sample : samples_) {
         low = low.cwiseMin(sample.at);
         high = high.cwiseMax(sample.at);
     }
     centre_ = 0.5 * (low + high);
     scale_ = std::max((high - low).maxCoeff(), 1e-300);
-    const auto n = static_cast<int>(samples.size());
+    const auto n = static_cast<int>(samples_.size());
     const int size = 2 * n + kQuadratic;
     MatrixXd A = MatrixXd::Zero(size, size);
     VectorXd b = VectorXd::Zero(size);
@@ -81,7 +161,9 @@ HeightField::HeightField(const std::vector<HeightSample>& samples) : samples_(sa
             b[n + i] = 0.0;
         }
     }
-    weights_ = A.colPivHouseholderQr().solve(b);
+    const Eigen::PartialPivLU<MatrixXd> solver(A);
+    weights_ = solver.solve(b);
+    weights_ += solver.solve(b - A * weights_);
 }
 
 double HeightField::height(const Vector2d& x) const {
@@ -106,6 +188,16 @@ Vector2d HeightField::gradient(const Vector2d& x) const {
                weights_[n + j] * (hessian_of_phi(at - from.at) * from.direction);
     }
     return sum;
+}
+
+double HeightField::least_distance(const ConcentricCurve& axis) const {
+    double least = INFINITY;
+    for (const Stop& stop : axis.stops) {
+        for (const HeightSample& sample : samples_) {
+            least = std::min(least, (local(axis.node(stop)) - sample.at).norm());
+        }
+    }
+    return least * scale_;
 }
 
 }  // namespace suture::concentric

@@ -18,9 +18,6 @@ constexpr double kWidestChord = 0.6;
 /// Shorter spans, as a share of the period, are not halved any more.
 constexpr double kShortestSpan = 1e-6;
 
-/// Halvings of a course that folds when c rests at its ends.
-constexpr int kHalvings = 6;
-
 /// The middles of the knot spans that a predicate picks by their ends.
 template <class Predicate>
 std::vector<double> middles(const ClosedSpline& curve, const Predicate& picked) {
@@ -124,26 +121,6 @@ Result<ConcentricMap> concentric_map(const ClosedSpline& curve, const MapOptions
             return tl::unexpected(why);
         }
         map.refined = std::move(next);
-    }
-}
-
-Result<void> make_restful(ConcentricCurve& axis, const ClosedSpline& curve) {
-    const BoundaryPieces boundary(curve);
-    for (int round = 0;; ++round) {
-        const std::vector<Course> all = courses(axis);
-        std::vector<Course> folded;
-        for (const int k : folded_courses(boundary, axis, Step::Resting)) {
-            folded.push_back(all[static_cast<std::size_t>(k)]);
-        }
-        if (folded.empty()) {
-            return {};
-        }
-        if (round == kHalvings) {
-            return fail(ErrorCode::Refused, "the smooth map folds {}", name_of(folded));
-        }
-        for (const Course& course : folded) {
-            insert_node(axis, 0.5 * (course.from + course.to));
-        }
     }
 }
 

@@ -42,10 +42,4 @@ struct ConcentricMap {
 [[nodiscard]] Result<ConcentricMap> concentric_map(const ClosedSpline& curve,
                                                    const MapOptions& options = {});
 
-/// Puts nodes into the courses of a certified axis until its map stays certified when c nearly
-/// rests at every node: the shorter a course, the less that changes it.
-///
-/// Refuses  a map that folds after so many halvings, naming the parameters.
-[[nodiscard]] Result<void> make_restful(ConcentricCurve& axis, const ClosedSpline& curve);
-
 }  // namespace suture::concentric

@@ -22,7 +22,9 @@ void make_compatible(SplineCurve& a, SplineCurve& b);
 /// Source   Martin & Cohen 2003, figure 7, steps 6 to 8.
 [[nodiscard]] SplineSurface sweep(SplineCurve a, SplineCurve b);
 
-/// The surface with these rows of poles, all over the same knots, as a Bezier form in v on [0,1].
-[[nodiscard]] SplineSurface from_rows(const std::vector<SplineCurve>& rows);
+/// The surface with these rows of poles, all over the same knots, and knots_v of the degree that
+/// fits their number.
+[[nodiscard]] SplineSurface from_rows(const std::vector<SplineCurve>& rows,
+                                      std::vector<double> knots_v);
 
 }  // namespace suture::concentric
