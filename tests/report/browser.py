@@ -36,7 +36,7 @@ class Browser:
         port = self._wait_for_port()
         pages = json.load(urllib.request.urlopen(f"http://127.0.0.1:{port}/json/list", timeout=20))
         target = next(page for page in pages if page["type"] == "page")
-        self.socket = websocket.create_connection(target["webSocketDebuggerUrl"], timeout=120)
+        self.socket = websocket.create_connection(target["webSocketDebuggerUrl"], timeout=400)
         self.last = 0
         self.requests, self.errors = [], []
         for domain in ("Page", "Runtime", "Network", "Log"):

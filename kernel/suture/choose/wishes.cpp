@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace suture {
 namespace {
@@ -42,11 +43,29 @@ constexpr double kSameCurvature = 0.01;
 /// A bend over the whole hole of less than this is no curvature, in radians.
 constexpr double kFlat = 1e-3;
 
+/// How far from the opening's plane a cross tangent still lies in it.
+constexpr double kInPlane = radians(1.0);
+
+/// The best plane through the hole's border, turned so that the border runs counterclockwise.
 struct Opening {
     Vector3d centre = Vector3d::Zero();
     Vector3d normal = Vector3d::UnitZ();
-    double height = 0.0;
+    double height = 0.0;  ///< how far the border leaves the plane
 };
+
+/// Twice the area that the border encloses seen along the normal; islands count against it.
+double turned_area(const Hole& hole, const Opening& opening) {
+    double area = 0.0;
+    for (const RibbonLoop& loop : hole.loops) {
+        for (const Ribbon& ribbon : loop.ribbons) {
+            for (int k = 0; k < kSamples; ++k) {
+                const RibbonPoint p = ribbon.at((k + 0.5) / kSamples);
+                area += opening.normal.dot((p.point - opening.centre).cross(p.tangent)) / kSamples;
+            }
+        }
+    }
+    return area;
+}
 
 Opening opening_of(const Hole& hole) {
     std::vector<Vector3d> points;
@@ -69,14 +88,34 @@ Opening opening_of(const Hole& hole) {
     for (const Vector3d& p : points) {
         opening.height = std::max(opening.height, std::abs(opening.normal.dot(p - opening.centre)));
     }
+    if (turned_area(hole, opening) < 0.0) {
+        opening.normal = -opening.normal;
+    }
     return opening;
 }
 
-/// The smallest angle between a cross tangent and the opening's plane.
+/// Whether the neighbour lies in the opening itself: a face that continued it would leave the hole
+/// across its own border.
+bool lies_in_opening(const Ribbon& ribbon, const Opening& opening) {
+    for (int k = 0; k < kSamples; ++k) {
+        const RibbonPoint p = ribbon.at((k + 0.5) / kSamples);
+        const Vector3d into = opening.normal.cross(p.tangent).normalized();
+        if (into.dot(p.inward.normalized()) > -std::cos(kInPlane)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+/// The smallest angle between a cross tangent and the opening's plane, of the sides whose
+/// neighbours do not lie in it.
 double least_steepness(const Hole& hole, const Opening& opening) {
-    double least = kPi;
+    double least = kPi / 2.0;
     for (const RibbonLoop& loop : hole.loops) {
         for (const Ribbon& ribbon : loop.ribbons) {
+            if (lies_in_opening(ribbon, opening)) {
+                continue;
+            }
             for (int k = 0; k < kSamples; ++k) {
                 const Vector3d inward = ribbon.at((k + 0.5) / kSamples).inward;
                 least =
@@ -151,47 +190,66 @@ Wish automatic(const RibbonLoop& loop, std::size_t i, const Vector3d& centre, do
     return {Continuity::G2, "auto: the neighbours' curvatures agree at both ends", /*hoped=*/true};
 }
 
-/// Whether the method can join with continuous curvature; `auto` has methods that can.
-bool reaches_curvature(const std::string& method) {
-    const auto methods = fill_methods();
-    return method == "auto" || std::any_of(methods.begin(), methods.end(), [&](const auto& row) {
-               return row.id == method && row.highest >= Continuity::G2;
-           });
+/// What to ask a method for at most: `auto` has methods for everything, and OCCT's filling is not
+/// asked for more than tangency unless the user does.
+Continuity highest_of(const std::string& method) {
+    for (const FillMethod& row : fill_methods()) {
+        if (row.id == method) {
+            return row.highest;
+        }
+    }
+    return method == "auto" ? Continuity::G2 : Continuity::G1;
 }
 
-/// What is asked for along side i, and why.
-Wish wish_for(const RibbonLoop& loop, std::size_t i, const Opening& opening, double steepness,
-              double diameter, const FillRequest& request) {
-    Wish wish;
-    const auto own = request.edge_continuity.find(loop.ribbons[i].edge);
-    if (own != request.edge_continuity.end()) {
-        wish.continuity = own->second;
-        wish.reason = "as asked for this edge";
-    } else if (request.continuity) {
-        wish.continuity = *request.continuity;
-        wish.reason = "as asked";
-    } else if (steepness > kSteep) {
-        wish.continuity = Continuity::G0;
-        wish.reason = fmt::format(
-            "the opening is planar and its neighbours stand on it at {:.0f} deg or more",
-            degrees(steepness));
-    } else {
-        wish = automatic(loop, i, opening.centre, diameter, reaches_curvature(request.method));
+/// What a planar opening asks for along one of its sides; nothing for a skin to be continued.
+std::optional<Wish> planar_wish(const Ribbon& ribbon, const Opening& opening, double steepness) {
+    if (steepness > kSteep) {
+        return Wish{
+            Continuity::G0,
+            fmt::format(
+                "the opening is planar and its neighbours stand on it at {:.0f} deg or more",
+                degrees(steepness))};
     }
-    return wish;
+    if (lies_in_opening(ribbon, opening)) {
+        return Wish{Continuity::G0,
+                    fmt::format("face {} lies in the planar opening itself", ribbon.face)};
+    }
+    return std::nullopt;
+}
+
+/// What the request says of one side.
+std::optional<Wish> asked(const Ribbon& ribbon, const FillRequest& request) {
+    const auto own = request.edge_continuity.find(ribbon.edge);
+    if (own != request.edge_continuity.end()) {
+        return Wish{own->second, "as asked for this edge"};
+    }
+    if (request.continuity) {
+        return Wish{*request.continuity, "as asked"};
+    }
+    return std::nullopt;
 }
 
 }  // namespace
 
 std::vector<Wish> wishes_for(const Hole& hole, const FillRequest& request) {
     const Opening opening = opening_of(hole);
-    // Steepness is a matter of planar openings only.
     const bool planar = opening.height <= kPlanar * hole.diameter;
     const double steepness = planar ? least_steepness(hole, opening) : 0.0;
+    const Continuity highest = highest_of(request.method);
     std::vector<Wish> wishes;
     for (const RibbonLoop& loop : hole.loops) {
         for (std::size_t i = 0; i < loop.ribbons.size(); ++i) {
-            wishes.push_back(wish_for(loop, i, opening, steepness, hole.diameter, request));
+            const Ribbon& ribbon = loop.ribbons[i];
+            std::optional<Wish> wish = asked(ribbon, request);
+            if (!wish && highest == Continuity::G0) {
+                wish = Wish{Continuity::G0, "the method joins in position only"};
+            }
+            if (!wish && planar) {
+                wish = planar_wish(ribbon, opening, steepness);
+            }
+            wishes.push_back(wish ? *wish
+                                  : automatic(loop, i, opening.centre, hole.diameter,
+                                              highest >= Continuity::G2));
         }
     }
     return wishes;

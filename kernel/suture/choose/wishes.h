@@ -21,6 +21,8 @@ struct Wish {
 /// and curvature at both ends of the side, otherwise G1, but G0
 ///  - all around a planar opening whose neighbours stand steeply on its plane (the end of a duct,
 ///    a box without a lid): a tangent fill would be a dome that nobody drew;
+///  - along a side whose neighbour lies in a planar opening itself;
+///  - everywhere, if the method joins in position only;
 ///  - along a side whose neighbour leads away from the hole while its corners are not smooth.
 [[nodiscard]] std::vector<Wish> wishes_for(const Hole& hole, const FillRequest& request);
 

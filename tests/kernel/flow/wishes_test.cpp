@@ -49,11 +49,108 @@ TEST(WishesFor, HopesForCurvatureInASkinIfTheMethodHasIt) {
             for (const char* method : {"auto", "mvs", "occt", "plane"}) {
                 FillRequest request;
                 request.method = method;
-                const bool able = std::string(method) == "auto" || std::string(method) == "mvs";
+                const bool able = request.method == "auto" || request.method == "mvs";
+                const Continuity without =
+                    request.method == "plane" ? Continuity::G0 : Continuity::G1;
                 for (const Wish& wish : wishes_for(hole, request)) {
-                    EXPECT_EQ(wish.continuity, able ? Continuity::G2 : Continuity::G1) << method;
+                    EXPECT_EQ(wish.continuity, able ? Continuity::G2 : without) << method;
                     EXPECT_EQ(wish.hoped, able);
                 }
+            }
+        }
+    }
+}
+
+/// A duct with a square end, one of whose neighbours is folded into the opening: the continuation
+/// of that one points out of the hole, that of the others along the duct.
+Hole duct_with_a_flap(double scale, bool seen_from_behind) {
+    const Frame frame = tilted(scale);
+    const Eigen::Vector3d z = frame.z;
+    const auto corner = [&](int i) -> Eigen::Vector3d {
+        const double x = (i % 4 == 1 || i % 4 == 2) ? 3.0 : 0.0;
+        const double y = i % 4 >= 2 ? 2.0 : 0.0;
+        return frame.origin + scale * (x * frame.x + y * frame.y);
+    };
+    Hole hole;
+    auto& loop = hole.loops.emplace_back();
+    for (int k = 0; k < 4; ++k) {
+        const int side = seen_from_behind ? 3 - k : k;
+        const Eigen::Vector3d a = corner(seen_from_behind ? side + 1 : side);
+        const Eigen::Vector3d b = corner(seen_from_behind ? side : side + 1);
+        const Eigen::Vector3d out = (corner(side + 1) - corner(side)).cross(z).normalized();
+        const Eigen::Vector3d inward = side == 2 ? out : z;
+        Ribbon ribbon;
+        ribbon.edge = ribbon.face = side + 1;
+        ribbon.at = [=](double s) {
+            const Eigen::Vector3d d = b - a;
+            return RibbonPoint{a + s * d, d, d.cross(inward).normalized(), inward,
+                               Eigen::Matrix3d::Zero()};
+        };
+        loop.ribbons.push_back(ribbon);
+    }
+    hole.diameter = windows::diameter_of(hole);
+    return hole;
+}
+
+TEST(WishesFor, AsksForPositionWhereANeighbourLiesInThePlanarOpening) {
+    for (const double scale : {1e-3, 1.0, 1e3}) {
+        for (const bool behind : {false, true}) {
+            const auto wishes = wishes_for(duct_with_a_flap(scale, behind), {});
+            ASSERT_EQ(wishes.size(), 4U);
+            for (const Wish& wish : wishes) {
+                EXPECT_EQ(wish.continuity, Continuity::G0) << wish.reason;
+                EXPECT_NE(wish.reason.find("stand on it at 90 deg"), std::string::npos)
+                    << wish.reason;
+            }
+        }
+    }
+}
+
+/// The same side with the neighbour on the other side of the edge.
+Ribbon folded_back(const Ribbon& ribbon) {
+    Ribbon folded = ribbon;
+    folded.at = [at = ribbon.at](double s) {
+        RibbonPoint p = at(s);
+        p.inward = -p.inward;
+        p.normal = -p.normal;
+        return p;
+    };
+    return folded;
+}
+
+/// The border of an island: the same curve, walked with the hole on its other side.
+RibbonLoop island_of(const RibbonLoop& window) {
+    RibbonLoop island;
+    for (auto ribbon = window.ribbons.rbegin(); ribbon != window.ribbons.rend(); ++ribbon) {
+        island.ribbons.push_back(*ribbon);
+        island.ribbons.back().face += 10;
+        island.ribbons.back().at = [at = ribbon->at](double s) {
+            RibbonPoint p = at(1.0 - s);
+            p.tangent = -p.tangent;
+            p.inward = -p.inward;
+            return p;
+        };
+    }
+    return island;
+}
+
+TEST(WishesFor, ContinuesTheSkinBesideANeighbourInTheOpening) {
+    const Plane plane{tilted()};
+    Hole hole = windows::window_in(plane, {{0, 0}, {3, 2}, 4, false});
+    hole.loops.push_back(
+        island_of(windows::window_in(plane, {{1, 0.5}, {0.5, 0.4}, 3, false}).loops.front()));
+    for (const std::size_t loop : {0U, 1U}) {
+        Hole folded = hole;
+        folded.loops[loop].ribbons[1] = folded_back(hole.loops[loop].ribbons[1]);
+        const auto wishes = wishes_for(folded, {});
+        ASSERT_EQ(wishes.size(), 7U);
+        for (std::size_t i = 0; i < wishes.size(); ++i) {
+            if (i == 4 * loop + 1) {
+                EXPECT_EQ(wishes[i].continuity, Continuity::G0) << wishes[i].reason;
+                EXPECT_NE(wishes[i].reason.find("lies in the planar opening"), std::string::npos)
+                    << wishes[i].reason;
+            } else {
+                EXPECT_GE(wishes[i].continuity, Continuity::G1) << wishes[i].reason;
             }
         }
     }

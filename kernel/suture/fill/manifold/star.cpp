@@ -94,7 +94,8 @@ int Star::least_layers(int k, int n) {
 }
 
 double Star::aperture_bound(int k, int n) {
-    return static_cast<double>(k / 2 + 1) / (2.0 * std::cos(kPi / n));
+    const int half = k / 2;
+    return (half + 1) / (2.0 * std::cos(kPi / n));
 }
 
 double Star::default_aperture(int k, const std::vector<int>& columns) {
