@@ -135,8 +135,9 @@ Result<FillResult> fill_concentric(const Hole& hole, const FillOptions& options)
     concentric::MapOptions map_options;
     map_options.salience = find_number(options.own, "salience").value_or(kSalience);
     map_options.flatness = find_number(options.own, "flatness").value_or(kFlatness);
-    // OCCT reads no border from STEP of which a part is one point.
+    // OCCT does not read a face from STEP whose border meets itself in points at such places.
     map_options.rest_between_corners = !single;
+    map_options.rest_at_tips = !single;
     auto map = concentric::concentric_map(boundary->planar, map_options);
     if (!map) {
         return tl::unexpected(named_after_sides(map.error(), hole));

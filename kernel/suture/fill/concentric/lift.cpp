@@ -25,10 +25,17 @@ constexpr int kDegree = 5;
 constexpr int kMostSpans = 16;
 
 /// A fit is finer than the wanted angle by this factor.
-constexpr double kFitShare = 0.01;
+constexpr double kFitShare = 0.02;
 
-/// The share of a side over which what the field misses at its corner fades.
+/// So are slopes along the axis, where both sides have the same anyway, by this factor.
+constexpr double kAxisShare = 0.3;
+
+/// The share of a side, at both its ends, over which the field's own slopes turn into the
+/// neighbour's.
 constexpr double kSpread = 0.1;
+
+/// Slopes that differ by more make a visible change where they fade.
+constexpr double kConflict = 1e-4;
 
 /// Spokes over each course to choose the number of spans in t by.
 constexpr int kTrialSpokes = 8;
@@ -57,16 +64,11 @@ Lift::Lift(const Hole& hole, const Boundary& boundary, const ConcentricCurve& ax
       field_(std::move(field)),
       accuracy_(kFitShare *
                 std::min(tolerance.angular * field_.least_distance(axis), tolerance.linear)),
-      lifted_axis_(axis, field_, accuracy_, kFitShare * tolerance.angular) {
+      lifted_axis_(axis, field_, accuracy_, kAxisShare * tolerance.angular) {
     for (int side = 0; side < boundary.count(); ++side) {
         sides_.push_back(local(boundary.sides[static_cast<std::size_t>(side)]));
-        auto& missed = missed_.emplace_back();
-        for (const int end : {0, 1}) {
-            const double s = side + end;
-            const Vector3d corner = boundary.coordinates(ribbon_of(hole, side).at(end).point);
-            missed.at(static_cast<std::size_t>(end)) =
-                boundary_gradient(side, s) - field_.gradient(corner.head<2>());
-        }
+        conflicts_.push_back(
+            {missed_gradient(side, side).norm(), missed_gradient(side, side + 1.0).norm()});
     }
     choose_radial_spans();
     error_ = lifted_axis_.error();
@@ -95,22 +97,16 @@ Vector3d Lift::vertex(int node) const {
            lifted_axis_.height(node) * boundary_.frame.z;
 }
 
-/// The gradient that the surface should have at the boundary: the neighbour's, or the height
-/// field's own where position alone is wanted.
-Vector2d Lift::boundary_gradient(int side, double s) const {
+/// What the height field's gradient misses of the neighbour's: nothing where position alone is
+/// wanted.
+Vector2d Lift::missed_gradient(int side, double s) const {
     const Ribbon& ribbon = ribbon_of(hole_, side);
+    if (ribbon.continuity < Continuity::G1) {
+        return Vector2d::Zero();
+    }
     const RibbonPoint p = ribbon.at(s - side);
-    return ribbon.continuity >= Continuity::G1
-               ? gradient_of(boundary_.frame, p.normal)
-               : field_.gradient(boundary_.coordinates(p.point).head<2>());
-}
-
-/// The same, with the height field's own gradient at the corners: where the neighbours' normals
-/// differ there, both sides come to the same one.
-Vector2d Lift::faded_gradient(int side, double s) const {
-    const auto& missed = missed_[static_cast<std::size_t>(side)];
-    return boundary_gradient(side, s) - fading((s - side) / kSpread) * missed[0] -
-           fading((side + 1.0 - s) / kSpread) * missed[1];
+    return gradient_of(boundary_.frame, p.normal) -
+           field_.gradient(boundary_.coordinates(p.point).head<2>());
 }
 
 Lift::Spoke Lift::spoke(const SplineCurve& gamma, const Course& course, double s) const {
@@ -123,11 +119,14 @@ Lift::Spoke Lift::spoke(const SplineCurve& gamma, const Course& course, double s
     const Vector2d at = spoke.from.head<2>();
     spoke.along = a + part * (b - a) - at;
     const LiftedAxis::Point end = lifted_axis_.at(course, s);
-    spoke.start_slope = faded_gradient(side, s).dot(spoke.along);
     spoke.end_slope = end.gradient.dot(spoke.along);
     spoke.end_height = end.height;
     spoke.missed_height = spoke.from.z() - field_.height(at);
-    spoke.missed_slope = spoke.start_slope - field_.gradient(at).dot(spoke.along);
+    // At corners the field is left as it is: both sides share that spoke, and its neighbourhood.
+    const double kept =
+        (1.0 - fading((s - side) / kSpread)) * (1.0 - fading((side + 1.0 - s) / kSpread));
+    spoke.missed_slope = kept * missed_gradient(side, s).dot(spoke.along);
+    spoke.start_slope = field_.gradient(at).dot(spoke.along) + spoke.missed_slope;
     return spoke;
 }
 
@@ -192,21 +191,19 @@ std::vector<Break> Lift::breaks(const SplineCurve& gamma, const Region& region) 
     std::vector<Break> found;
     for (const double knot : gamma.knots) {
         const auto times = std::count(gamma.knots.begin(), gamma.knots.end(), knot);
-        found.push_back({knot, times < gamma.degree});
+        found.push_back({knot, times < gamma.degree ? 1 : 0});
     }
     for (const Course& course : region.courses) {
-        found.push_back({course.from, false});
+        found.push_back({course.from, 0});
         for (const double at : lifted_axis_.breaks(course)) {
-            found.push_back({at, true});
+            found.push_back({at, 1});
         }
     }
     for (int side = region.first; side < region.first + region.count; ++side) {
-        const auto& missed = missed_[static_cast<std::size_t>(side)];
+        const auto& conflicts = conflicts_[static_cast<std::size_t>(side)];
         for (const int end : {0, 1}) {
-            const double reach = missed.at(static_cast<std::size_t>(end)).norm() *
-                                 boundary_.sides[static_cast<std::size_t>(side)].poles.norm();
-            if (reach > accuracy_) {
-                found.push_back({side + end + (end == 0 ? kSpread : -kSpread), true});
+            if (conflicts.at(static_cast<std::size_t>(end)) > kConflict) {
+                found.push_back({side + end + (end == 0 ? kSpread : -kSpread), 2});
             }
         }
     }

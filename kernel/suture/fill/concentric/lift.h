@@ -49,8 +49,8 @@ class Lift {
     double accuracy_;  ///< of heights
     LiftedAxis lifted_axis_;
     CompleteCubic radial_{1};
-    /// missed_[i]: what the gradient of h misses of the i-th side's neighbour's at its two ends.
-    std::vector<std::array<Eigen::Vector2d, 2>> missed_;
+    /// conflicts_[i]: by how much the gradient of h misses the neighbour's at either end of side i.
+    std::vector<std::array<double, 2>> conflicts_;
     double error_ = 0.0;
 
     /// A spoke in the plane, and what z is like at its ends.
@@ -64,8 +64,7 @@ class Lift {
     [[nodiscard]] double height(const Spoke& spoke, double t) const;
     /// As CompleteCubic wants them, from the slope at t = 0 on.
     [[nodiscard]] Eigen::VectorXd heights(const Spoke& spoke, const CompleteCubic& radial) const;
-    [[nodiscard]] Eigen::Vector2d boundary_gradient(int side, double s) const;
-    [[nodiscard]] Eigen::Vector2d faded_gradient(int side, double s) const;
+    [[nodiscard]] Eigen::Vector2d missed_gradient(int side, double s) const;
     [[nodiscard]] SplineCurve local(SplineCurve curve) const;
     [[nodiscard]] std::vector<Break> breaks(const SplineCurve& gamma, const Region& region) const;
     void choose_radial_spans();

@@ -50,7 +50,12 @@ struct Line {
         const auto slope = [&](double x) -> Eigen::VectorXd {
             return Eigen::VectorXd::Constant(1, slope_across(x));
         };
-        return interpolated(slope, {{0.0}, {1.0}}, 2, spans);
+        constexpr int kQuadratic = 2;
+        std::vector<Break> knots;
+        for (int k = 0; k <= spans; ++k) {
+            knots.push_back({static_cast<double>(k) / spans, kQuadratic - 1});
+        }
+        return interpolated(slope, knots, kQuadratic);
     }
 };
 

@@ -71,16 +71,18 @@ double largest_radius(const MedialAxis& axis) {
 /// The map of one control polygon, with as few branches as the certificate allows.
 tl::expected<ConcentricCurve, Folds> map_of(const MedialAxis& axis, const Sites& sites,
                                             const BoundaryPieces& boundary,
-                                            const std::vector<double>& corners, double salience) {
+                                            const std::vector<double>& corners,
+                                            const MapOptions& options) {
     for (const double share : {1.0, 0.25}) {
-        if (salience > 0.0) {
-            auto curve = retract(axis, sites, boundary, corners, share * salience);
+        if (options.salience > 0.0) {
+            auto curve = retract(axis, sites, boundary, corners,
+                                 {share * options.salience, options.rest_at_tips});
             if (curve) {
                 return curve;
             }
         }
     }
-    return retract(axis, sites, boundary, corners, 0.0);
+    return retract(axis, sites, boundary, corners, {0.0, options.rest_at_tips});
 }
 
 }  // namespace
@@ -102,7 +104,7 @@ Result<ConcentricMap> concentric_map(const ClosedSpline& curve, const MapOptions
             why = axis.error();
             next = refined_everywhere(map.refined);
         } else {
-            const auto found = map_of(*axis, *sites, boundary, corners, options.salience);
+            const auto found = map_of(*axis, *sites, boundary, corners, options);
             if (found) {
                 map.radius = largest_radius(*axis);
                 map.axis = options.flatness > 0.0 ? simplified(*found, boundary, corners,

@@ -20,6 +20,9 @@ struct MapOptions {
     bool rest_between_corners = true;
     /// How often the control polygon may be refined before the map is refused.
     int refinements = 8;
+    /// Whether c rests where it turns back, wherever the map stays certified. Where it turns at
+    /// once, a spoke runs along the axis, and the surface has no normal there.
+    bool rest_at_tips = false;
 };
 
 /// A concentric map: (1-t) curve(s) + t axis(s).
