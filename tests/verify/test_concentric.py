@@ -62,6 +62,8 @@ class Concentric(unittest.TestCase):
     def test_caps_the_u_bend(self):
         self.cap(CAD / "ubend2.stp", None)
 
+    def test_caps_the_wing(self):
+        self.cap(CAD / "simple_wing.stp", None, "--all-loops")
 
 
 if __name__ == "__main__":

@@ -66,7 +66,10 @@ FillResult fill_flat(const Boundary& boundary, concentric::ConcentricCurve& axis
             lifted.col(k) = boundary.lifted(row.poles.col(k));
         }
         row.poles = std::move(lifted);
-        return concentric::sweep(region.side, row);
+        SplineCurve side = region.side;
+        concentric::make_compatible(side, row);
+        concentric::collapse_rests(row, region.courses, vertex);
+        return concentric::from_rows({side, row}, {0.0, 0.0, 1.0, 1.0});
     };
     FillResult result = concentric::assemble(regions, surface, vertex);
     for (Patch& patch : result.patches) {

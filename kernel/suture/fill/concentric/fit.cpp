@@ -13,9 +13,9 @@ namespace {
 
 using Eigen::MatrixXd;
 
-/// Rounds of halving intervals, and intervals, at most.
+/// Rounds of halving intervals, and breaks that come of it, at most.
 constexpr int kRounds = 8;
-constexpr std::size_t kMostIntervals = 300;
+constexpr std::size_t kMostNewBreaks = 100;
 
 /// From this round on, an error that does not fall to this share of the last one's is no matter of
 /// knots: the function is not smooth.
@@ -75,6 +75,7 @@ FittedCurve fit_curve(const std::function<Eigen::VectorXd(double)>& at, std::vec
                       int degree, double accuracy) {
     FittedCurve best;
     best.error = INFINITY;
+    const std::size_t most = breaks.size() + kMostNewBreaks;
     for (int round = 0;; ++round) {
         FittedCurve fit{interpolated(at, breaks, degree), 0.0};
         std::vector<Break> finer = breaks;
@@ -95,8 +96,7 @@ FittedCurve fit_curve(const std::function<Eigen::VectorXd(double)>& at, std::vec
         if (fit.error < best.error) {
             best = std::move(fit);
         }
-        if (finer.size() == breaks.size() || finer.size() > kMostIntervals || settled ||
-            round == kRounds) {
+        if (finer.size() == breaks.size() || finer.size() > most || settled || round == kRounds) {
             return best;
         }
         breaks = sorted(std::move(finer));

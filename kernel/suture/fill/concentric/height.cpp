@@ -52,17 +52,50 @@ constexpr int kLeastOfSide = 6;
 /// The field is finer than the wanted angle by this factor.
 constexpr double kShare = 0.1;
 
-HeightSample sample_of(const Ribbon& ribbon, const Boundary& boundary, double s) {
+/// Neighbours whose normals differ by more at a corner cannot both be met there.
+constexpr double kSameNormal = radians(0.05);
+
+HeightSample sample_of(const Ribbon& ribbon, const Boundary& boundary, double s, bool tangent) {
     const RibbonPoint p = ribbon.at(s);
     const Vector3d local = boundary.coordinates(p.point);
     HeightSample sample{local.head<2>(), local.z()};
-    if (ribbon.continuity >= Continuity::G1) {
+    if (tangent) {
         const Frame& frame = boundary.frame;
         const Vector2d gradient(-p.normal.dot(frame.x), -p.normal.dot(frame.y));
         sample.direction = Vector2d(p.inward.dot(frame.x), p.inward.dot(frame.y)).normalized();
         sample.slope = sample.direction.dot(gradient) / p.normal.dot(frame.z);
     }
     return sample;
+}
+
+double angle_between(const Vector3d& a, const Vector3d& b) {
+    return std::atan2(a.cross(b).norm(), a.dot(b));
+}
+
+/// Where along a side the field is to have the neighbour's tangent plane.
+struct Wanted {
+    double from = 0.0;
+    double to = 1.0;
+    [[nodiscard]] bool at(double s) const { return s >= from && s <= to; }
+};
+
+/// Not where position alone is wanted, and not beside a corner where the neighbours' normals
+/// differ: there the field would bend sharply to come near both.
+std::vector<Wanted> wanted_of(const Hole& hole) {
+    const auto& ribbons = hole.loops.front().ribbons;
+    std::vector<Wanted> all;
+    for (std::size_t i = 0; i < ribbons.size(); ++i) {
+        const Ribbon& before = ribbons[(i + ribbons.size() - 1) % ribbons.size()];
+        const Ribbon& after = ribbons[(i + 1) % ribbons.size()];
+        const auto differ = [](const Ribbon& a, const Ribbon& b) {
+            return std::min(a.continuity, b.continuity) >= Continuity::G1 &&
+                   angle_between(a.at(1.0).normal, b.at(0.0).normal) > kSameNormal;
+        };
+        Wanted wanted{differ(before, ribbons[i]) ? kFade : 0.0,
+                      differ(ribbons[i], after) ? 1.0 - kFade : 1.0};
+        all.push_back(ribbons[i].continuity >= Continuity::G1 ? wanted : Wanted{1.0, 0.0});
+    }
+    return all;
 }
 
 /// Denser towards the ends by a factor of ten: an interpolant is worst near the corners. Still
@@ -95,20 +128,21 @@ std::vector<int> shares(const Hole& hole, int samples) {
     return counts;
 }
 
-/// The largest angle by which a field misses a neighbour's tangent plane, half way between samples
-/// and at the corners.
+/// The largest angle by which a field misses the tangent planes that are wanted, half way between
+/// samples and at the corners.
 double missed_angle(const HeightField& field, const Hole& hole, const Boundary& boundary,
-                    const std::vector<int>& counts) {
+                    const std::vector<int>& counts, const std::vector<Wanted>& wanted) {
+    const Frame& frame = boundary.frame;
     double largest = 0.0;
     for (std::size_t i = 0; i < counts.size(); ++i) {
-        const Ribbon& ribbon = hole.loops.front().ribbons[i];
-        for (int k = 0; ribbon.continuity >= Continuity::G1 && k <= counts[i]; ++k) {
-            const RibbonPoint p = ribbon.at(graded(static_cast<double>(k) / counts[i]));
-            const Vector2d slope = field.gradient(boundary.coordinates(p.point).head<2>());
-            const Frame& frame = boundary.frame;
-            const Vector3d normal = frame.z - slope.x() * frame.x - slope.y() * frame.y;
-            largest =
-                std::max(largest, std::atan2(normal.cross(p.normal).norm(), normal.dot(p.normal)));
+        for (int k = 0; k <= counts[i]; ++k) {
+            const double s = graded(static_cast<double>(k) / counts[i]);
+            if (wanted[i].at(s)) {
+                const RibbonPoint p = hole.loops.front().ribbons[i].at(s);
+                const Vector2d slope = field.gradient(boundary.coordinates(p.point).head<2>());
+                const Vector3d normal = frame.z - slope.x() * frame.x - slope.y() * frame.y;
+                largest = std::max(largest, angle_between(normal, p.normal));
+            }
         }
     }
     return largest;
@@ -118,6 +152,7 @@ double missed_angle(const HeightField& field, const Hole& hole, const Boundary& 
 
 HeightField HeightField::over(const Hole& hole, const Boundary& boundary,
                               const Tolerance& tolerance) {
+    const std::vector<Wanted> wanted = wanted_of(hole);
     std::optional<HeightField> best;
     double least = INFINITY;
     for (int samples = kFirstSamples; samples <= kMostSamples; samples *= 2) {
@@ -125,12 +160,13 @@ HeightField HeightField::over(const Hole& hole, const Boundary& boundary,
         std::vector<HeightSample> all;
         for (std::size_t i = 0; i < counts.size(); ++i) {
             for (int k = 0; k < counts[i]; ++k) {
-                all.push_back(sample_of(hole.loops.front().ribbons[i], boundary,
-                                        graded((k + 0.5) / counts[i])));
+                const double s = graded((k + 0.5) / counts[i]);
+                all.push_back(
+                    sample_of(hole.loops.front().ribbons[i], boundary, s, wanted[i].at(s)));
             }
         }
         HeightField field(std::move(all));
-        const double missed = missed_angle(field, hole, boundary, counts);
+        const double missed = missed_angle(field, hole, boundary, counts, wanted);
         if (missed < least || !best) {
             best = std::move(field);
             least = missed;

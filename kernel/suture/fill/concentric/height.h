@@ -11,6 +11,10 @@
 
 namespace suture::concentric {
 
+/// The share of a side, at a corner, over which the surface leaves the neighbour's slopes for the
+/// field's own.
+inline constexpr double kFade = 0.1;
+
 /// What a height field has to meet at one point of the plane.
 struct HeightSample {
     Eigen::Vector2d at;

@@ -30,10 +30,6 @@ constexpr double kFitShare = 0.02;
 /// So are slopes along the axis, where both sides have the same anyway, by this factor.
 constexpr double kAxisShare = 0.3;
 
-/// The share of a side, at both its ends, over which the field's own slopes turn into the
-/// neighbour's.
-constexpr double kSpread = 0.1;
-
 /// Slopes that differ by more make a visible change where they fade.
 constexpr double kConflict = 1e-4;
 
@@ -124,7 +120,7 @@ Lift::Spoke Lift::spoke(const SplineCurve& gamma, const Course& course, double s
     spoke.missed_height = spoke.from.z() - field_.height(at);
     // At corners the field is left as it is: both sides share that spoke, and its neighbourhood.
     const double kept =
-        (1.0 - fading((s - side) / kSpread)) * (1.0 - fading((side + 1.0 - s) / kSpread));
+        (1.0 - fading((s - side) / kFade)) * (1.0 - fading((side + 1.0 - s) / kFade));
     spoke.missed_slope = kept * missed_gradient(side, s).dot(spoke.along);
     spoke.start_slope = field_.gradient(at).dot(spoke.along) + spoke.missed_slope;
     return spoke;
@@ -203,7 +199,7 @@ std::vector<Break> Lift::breaks(const SplineCurve& gamma, const Region& region) 
         const auto& conflicts = conflicts_[static_cast<std::size_t>(side)];
         for (const int end : {0, 1}) {
             if (conflicts.at(static_cast<std::size_t>(end)) > kConflict) {
-                found.push_back({side + end + (end == 0 ? kSpread : -kSpread), 2});
+                found.push_back({side + end + (end == 0 ? kFade : -kFade), 2});
             }
         }
     }
@@ -247,6 +243,7 @@ SplineSurface Lift::surface(const Region& region) {
         make_compatible(exact, knots);
         return exact.poles;
     }();
+    collapse_rests(rows.back(), region.courses, [&](int node) { return vertex(node); });
     return from_rows(rows, radial_.knots());
 }
 

@@ -40,11 +40,6 @@ void make_compatible(SplineCurve& a, SplineCurve& b) {
     b = refined(b, knots);
 }
 
-SplineSurface sweep(SplineCurve a, SplineCurve b) {
-    make_compatible(a, b);
-    return from_rows({std::move(a), std::move(b)}, {0.0, 0.0, 1.0, 1.0});
-}
-
 SplineSurface from_rows(const std::vector<SplineCurve>& rows, std::vector<double> knots_v) {
     const SplineCurve& first = rows.front();
     SplineSurface surface;
