@@ -99,6 +99,12 @@ Result<FillResult> fill_curved(const Hole& hole, const Boundary& boundary,
         patch.exact = false;
         patch.fit_error = std::max(boundary.error, lift->error());
     }
+    if (lift->error() > lift->accuracy()) {
+        result.notes.push_back(fmt::format(
+            "the lifted surface is fitted to within {:.2g} only (wanted {:.2g}): its faces "
+            "may meet at larger angles than wanted",
+            lift->error(), lift->accuracy()));
+    }
     return result;
 }
 

@@ -14,13 +14,13 @@ namespace {
 using Eigen::MatrixXd;
 
 /// Rounds of halving intervals, and breaks that come of it, at most.
-constexpr int kRounds = 8;
+constexpr int kRounds = 10;
 constexpr std::size_t kMostNewBreaks = 100;
 
 /// From this round on, an error that does not fall to this share of the last one's is no matter of
 /// knots: the function is not smooth.
 constexpr int kSettled = 4;
-constexpr double kFall = 0.5;
+constexpr double kFall = 0.8;
 
 /// Samples of each interval to measure the error at, as parts of it. Off-centre: the error of an
 /// interpolant can vanish in the middle by symmetry.

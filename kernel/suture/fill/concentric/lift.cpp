@@ -22,7 +22,7 @@ constexpr double kMostLean = radians(75.0);
 constexpr int kDegree = 5;
 
 /// The most spans in t.
-constexpr int kMostSpans = 16;
+constexpr int kMostSpans = 32;
 
 /// A fit is finer than the wanted angle by this factor.
 constexpr double kFitShare = 0.02;

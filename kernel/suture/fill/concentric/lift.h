@@ -36,6 +36,8 @@ class Lift {
 
     /// How far the surfaces made so far miss the heights that they stand for, in model units.
     [[nodiscard]] double error() const { return error_; }
+    /// How far they may.
+    [[nodiscard]] double accuracy() const { return accuracy_; }
 
   private:
     Lift(const Hole& hole, const Boundary& boundary, const ConcentricCurve& axis, HeightField field,

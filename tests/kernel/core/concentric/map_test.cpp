@@ -5,6 +5,8 @@
 #include "kernel/core/concentric/shapes.h"
 #include <gtest/gtest.h>
 
+#include <ctime>
+
 namespace suture::concentric {
 namespace {
 
@@ -135,6 +137,19 @@ TEST(ConcentricMap, DependsNeitherOnStartNorOnDirection) {
             }
             EXPECT_LT(axis_distance(map->axis, back->axis), 1e-7);
         }
+    }
+}
+
+/// In processor time: other work on the machine does not count.
+TEST(ConcentricMap, TakesLessThanASecondForAThousandSegments) {
+    for (const ClosedSpline& curve : {shapes::polygon(shapes::noisy_ellipse(1000, 0.0003)),
+                                      shapes::polygon(shapes::comb(250, 3.0)),
+                                      shapes::spline(shapes::noisy_ellipse(1000, 0.0), 3)}) {
+        const std::clock_t start = std::clock();
+        const auto map = concentric_map(curve, {0.1, 0.02, true, 8, true});
+        const double seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+        ASSERT_TRUE(map) << map.error().message;
+        EXPECT_LT(seconds, 1.0);
     }
 }
 
