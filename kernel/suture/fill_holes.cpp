@@ -152,6 +152,7 @@ Result<std::vector<TopoDS_Face>> fill_one(const std::vector<BoundaryLoop>& loops
     for (const Patch& patch : choice->fill.patches) {
         report.patches.push_back(facts_of(patch));
     }
+    report.implicit = choice->fill.implicit;
     conclude(choice->measured, tolerance, report);
     report.max_distance_through = choice->measured.through;
     report.within_tolerance =

@@ -3,9 +3,12 @@
 #include "cli/algebraic_problem.h"
 #include "cli/arguments.h"
 #include "cli/options.h"
+#include "cli/shell_output.h"
 #include "cli/text_file.h"
+#include "suture/faces/make_shell.h"
 #include "suture/fill/algebraic/jets.h"
 #include "suture/fill/algebraic/parse.h"
+#include "suture/fill/algebraic/patches.h"
 
 #include <fmt/format.h>
 
@@ -18,30 +21,87 @@ constexpr CommandHelp kHelp{
     "exact arithmetic: which piecewise polynomials join them with G^k, and the member that is "
     "fair and of a single sheet.",
     "  suture algebraic table.json                       rank, dimension, polynomials\n"
+    "  suture algebraic table.json -o table.step         the surface as B-spline faces\n"
     "  suture algebraic table.json --mesh table.obj      a mesh of the surface\n"
     "  suture algebraic table.json --json > table.out    exact coefficients\n"
     "  suture algebraic table.json --at 0.4,0.4,0.4      its cell and value at a point\n"
-    "Exit codes: 0 done, 1 wrong usage, 2 the file cannot be read, 4 there is no such surface.\n"};
+    "Exit codes: 0 done, 1 wrong usage, 2 the file cannot be read, 4 there is no such surface, 5 "
+    "the "
+    "output cannot be written.\n"};
+
+/// How far the faces may lie from the polynomials, in sizes of the hole and in radians.
+constexpr Tolerance kFaces{1e-7, radians(1e-3)};
 
 struct AlgebraicOptions {
-    std::filesystem::path mesh;
+    std::filesystem::path output, mesh;
+    io::Format format = io::Format::Step;
     std::vector<double> at;
     int divisions = 32;
 };
 
-Result<void> validate(Command& command, const AlgebraicOptions& options) {
+Result<void> validate(Command& command, AlgebraicOptions& options) {
     if (!options.at.empty() && options.at.size() != 3) {
         return fail(ErrorCode::Usage, "--at takes x,y,z, not {} numbers", options.at.size());
     }
     if (options.divisions < 1) {
         return fail(ErrorCode::Usage, "--divisions is {}, less than 1", options.divisions);
     }
-    if (options.mesh.empty()) {
-        return {};
+    if (!options.output.empty()) {
+        const Result<io::Format> format = take_output(command, options.output);
+        if (!format) {
+            return tl::unexpected(format.error());
+        }
+        options.format = *format;
+        auto writable = expect_writable("-o", options.output, command.input, /*force=*/false);
+        if (!writable) {
+            return writable;
+        }
     }
-    command.outputs = {options.mesh};
-    command.one_output = true;
-    return expect_writable("--mesh", options.mesh, command.input, false);
+    if (!options.mesh.empty()) {
+        command.outputs.push_back(options.mesh);
+        command.one_output = command.outputs.size() == 1;
+        return expect_writable("--mesh", options.mesh, command.input, /*force=*/false);
+    }
+    return {};
+}
+
+/// The B-spline faces of a solution, written.
+Result<void> write_faces(Run& run, const Command& command, const AlgebraicOptions& options,
+                         const algebraic::ExactSolution& solution, Outcome& outcome) {
+    const Progress progress = run.stage(Stage::Filling, "fitting faces", 0.4, 0.7);
+    Tolerance goal = kFaces;
+    goal.linear *= solution.unit.size;
+    algebraic::FitReport fit;
+    auto faces = algebraic::make_patches(solution.problem, solution.found, solution.unit, goal,
+                                         progress, fit);
+    if (!faces) {
+        return tl::unexpected(faces.error());
+    }
+    std::vector<Eigen::Vector3d> corners;
+    for (const algebraic::UnitCurve& curve : solution.problem.curves) {
+        corners.push_back(solution.unit.out(curve(0.0)));
+    }
+    const auto shell = make_shell(without_hole(std::move(*faces), {corners}));
+    if (!shell) {
+        return tl::unexpected(shell.error());
+    }
+    const auto written = write_shell(run, command, *shell, options.format, 0.7);
+    if (!written) {
+        return tl::unexpected(written.error());
+    }
+    outcome.document["faces"] = json_of(*written);
+    outcome.document["faces"]["fit_error"] = fit.distance;
+    outcome.document["faces"]["fit_angle_deg"] = degrees(fit.angle);
+    outcome.document["faces"]["spans"] = fit.spans;
+    outcome.verdict += fmt::format(
+        "; wrote {}: {} within {:.2g} and {:.2g} deg of the polynomials, largest gap {:.2g}, "
+        "angle {:.2g} deg",
+        options.output.string(), counted(written->validity.faces, "face"), fit.distance,
+        degrees(fit.angle), written->max_gap, degrees(written->max_angle));
+    if (!written->validity.valid) {
+        outcome.exit_code = kOutOfTolerance;
+    }
+    return {};
 }
 
 /// The cell that a point lies in, and the polynomial's value there; seen from the centre.
@@ -69,7 +129,7 @@ Result<Outcome> run_algebraic(Run& run, const Command& command, const AlgebraicO
     if (!problem) {
         return tl::unexpected(problem.error());
     }
-    const Progress progress = run.stage(Stage::Filling, "solving", 0.0, 1.0);
+    const Progress progress = run.stage(Stage::Filling, "solving", 0.0, 0.4);
     const auto solution = algebraic::solve(*problem, progress);
     Outcome outcome;
     if (!solution && solution.error().code == ErrorCode::Refused) {
@@ -98,6 +158,11 @@ Result<Outcome> run_algebraic(Run& run, const Command& command, const AlgebraicO
         outcome.document["at"] = value;
         outcome.sections.back().notes.push_back("at the point: " + value.dump());
     }
+    if (!options.output.empty()) {
+        if (const auto done = write_faces(run, command, options, *solution, outcome); !done) {
+            return tl::unexpected(done.error());
+        }
+    }
     if (!options.mesh.empty()) {
         const auto text = obj_of(*solution, options.divisions);
         if (!text) {
@@ -119,6 +184,9 @@ std::shared_ptr<Command> add_algebraic(CLI::App& app) {
     command->app->add_option("PROBLEM", command->input, "The problem, a JSON file")
         ->required()
         ->option_text(" ");
+    command->app
+        ->add_option("-o,--output", options->output, "Write B-spline faces (STEP, IGES, ...)")
+        ->option_text("OUT");
     command->app->add_option("--mesh", options->mesh, "Write a triangle mesh (OBJ)")
         ->option_text("FILE");
     command->app

@@ -1,5 +1,7 @@
 #include "cli/arguments.h"
 
+#include "suture/base/text.h"
+
 #include <unistd.h>
 
 #include <algorithm>
@@ -22,18 +24,6 @@ constexpr int kLongestRange = 1'000'000;
 bool is_number_list(std::string_view word) {
     return !word.empty() && word.find_first_not_of("0123456789,+-") == std::string_view::npos &&
            word[0] >= '0' && word[0] <= '9';
-}
-
-std::vector<std::string_view> split(std::string_view text, char separator) {
-    std::vector<std::string_view> parts;
-    for (;;) {
-        const std::size_t end = text.find(separator);
-        parts.push_back(text.substr(0, end));
-        if (end == std::string_view::npos) {
-            return parts;
-        }
-        text.remove_prefix(end + 1);
-    }
 }
 
 Result<int> parse_number(std::string_view text, std::string_view noun) {

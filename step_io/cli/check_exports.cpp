@@ -1,5 +1,7 @@
 #include "cli/check_exports.h"
 
+#include "suture/base/text.h"
+
 #include <fmt/ranges.h>
 
 #include <array>
@@ -18,42 +20,15 @@ std::string csv_field(std::string_view text) {
     return quoted + '"';
 }
 
-std::string xml_text(std::string_view text) {
-    std::string result;
-    for (const char c : text) {
-        switch (c) {
-            case '&':
-                result += "&amp;";
-                break;
-            case '<':
-                result += "&lt;";
-                break;
-            case '>':
-                result += "&gt;";
-                break;
-            case '"':
-                result += "&quot;";
-                break;
-            default:
-                // XML has no other control characters than these three, however they are written.
-                result +=
-                    static_cast<unsigned char>(c) >= ' ' || c == '\n' || c == '\t' || c == '\r'
-                        ? c
-                        : '?';
-        }
-    }
-    return result;
-}
-
 std::string case_of(std::string_view suite, std::string_view name, std::string_view kind,
                     std::string_view message) {
-    std::string text =
-        fmt::format("    <testcase classname=\"{}\" name=\"{}\"", xml_text(suite), xml_text(name));
+    std::string text = fmt::format("    <testcase classname=\"{}\" name=\"{}\"",
+                                   escape_markup(suite), escape_markup(name));
     if (kind.empty()) {
         return text + "/>\n";
     }
-    return text +
-           fmt::format("><{0} message=\"{1}\">{1}</{0}></testcase>\n", kind, xml_text(message));
+    return text + fmt::format("><{0} message=\"{1}\">{1}</{0}></testcase>\n", kind,
+                              escape_markup(message));
 }
 
 std::string at_text(const Eigen::Vector3d& at) {
@@ -113,7 +88,7 @@ std::string junit_of(const CheckResult& result, const std::filesystem::path& inp
         "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites>\n"
         "  <testsuite name=\"{}\" tests=\"{}\" failures=\"{}\" errors=\"{}\" time=\"{:.3f}\">\n"
         "{}  </testsuite>\n</testsuites>\n",
-        xml_text("suture check " + suite), summary.edges + summary.knot_lines,
+        escape_markup("suture check " + suite), summary.edges + summary.knot_lines,
         summary.near_misses + summary.knot_near_misses, summary.unmeasured, result.seconds, cases);
 }
 

@@ -4,6 +4,7 @@
 #include "cli/report_html.h"
 #include "cli/report_json.h"
 
+#include "report/profile_json.h"
 #include "report/scene.h"
 #include <fmt/format.h>
 
@@ -195,7 +196,7 @@ Outcome report_check(const Command& command, const std::shared_ptr<const CheckRe
     outcome.document = {
         {"model", json_of(model.file)},
         {"sewing", json_of(model.sewing)},
-        {"profile", json_of(result->profile)},
+        {"profile", report::json_of(result->profile)},
         {"edges", edges_json(*result)},
         {"face_knots", knots_json(*result)},
         {"summary", summary_json(result->summary, result->report)},

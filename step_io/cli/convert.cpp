@@ -31,13 +31,11 @@ struct ConvertOptions {
 };
 
 Result<void> validate(Command& command, ConvertOptions& options) {
-    const Result<io::Format> format = io::format_of_extension(options.output);
+    const Result<io::Format> format = take_output(command, options.output);
     if (!format) {
         return tl::unexpected(format.error());
     }
     options.format = *format;
-    command.outputs = {options.output};
-    command.one_output = true;
     if (options.load.sew_tolerance) {
         options.load.sew = true;
     }

@@ -135,9 +135,7 @@ Result<void> validate_fill(Command& command, FillOptions& options) {
     FillSettings& settings = options.settings;
     settings.input = command.input;
     settings.output = options.output;
-    command.outputs = {options.output};
-    command.one_output = true;
-    if (auto format = take(io::format_of_extension(options.output), settings.format); !format) {
+    if (auto format = take(take_output(command, options.output), settings.format); !format) {
         return format;
     }
     if (!options.through.empty()) {

@@ -175,6 +175,12 @@ Result<void> validate_sewing(const LoadOptions& options) {
     return {};
 }
 
+Result<io::Format> take_output(Command& command, const std::filesystem::path& output) {
+    command.outputs = {output};
+    command.one_output = true;
+    return io::format_of_extension(output);
+}
+
 Result<void> validate_common(const Command& command) {
     Result<void> positive = expect_positive("--read-timeout", command.common.read_timeout);
     if (!positive) {

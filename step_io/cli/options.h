@@ -38,6 +38,9 @@ void add_picture(Command& command);
 void add_sewing(Command& command, LoadOptions& options);
 [[nodiscard]] Result<void> validate_sewing(const LoadOptions& options);
 
+/// The format that the output's ending asks for; the output becomes the command's only one.
+[[nodiscard]] Result<io::Format> take_output(Command& command, const std::filesystem::path& output);
+
 /// Refuses (Usage) common options that make no sense.
 [[nodiscard]] Result<void> validate_common(const Command& command);
 

@@ -52,13 +52,11 @@ int most_spans(int k) {
 }
 
 Result<void> validate(Command& command, PatchOptions& options) {
-    const Result<io::Format> format = io::format_of_extension(options.output);
+    const Result<io::Format> format = take_output(command, options.output);
     if (!format) {
         return tl::unexpected(format.error());
     }
     options.format = *format;
-    command.outputs = {options.output};
-    command.one_output = true;
     if (options.k < 0 || options.k > 4) {
         return fail(ErrorCode::Usage, "--k is 0 to 4, not {}", options.k);
     }

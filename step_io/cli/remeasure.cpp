@@ -18,6 +18,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <numeric>
 #include <span>
 
 namespace suture::cli {
@@ -84,16 +85,23 @@ class ShapeFinder {
 
     /// The number of the shape, or 0.
     int find(const Signature& wanted) {
-        const int near = nearest(wanted, /*same_vertices_only=*/true);
+        std::vector<int> all(signatures_.size());
+        std::iota(all.begin(), all.end(), 1);
+        return find(wanted, all);
+    }
+
+    /// The same among the shapes of these numbers.
+    int find(const Signature& wanted, std::span<const int> among) {
+        const int near = nearest(wanted, among, /*same_vertices_only=*/true);
         // Of a closed face or edge the reader may have moved the vertices.
-        return near > 0 ? near : nearest(wanted, /*same_vertices_only=*/false);
+        return near > 0 ? near : nearest(wanted, among, /*same_vertices_only=*/false);
     }
 
   private:
-    int nearest(const Signature& wanted, bool same_vertices_only) {
+    int nearest(const Signature& wanted, std::span<const int> among, bool same_vertices_only) {
         int best = 0;
         double smallest = kSame * wanted.extent;
-        for (int i = 1; i <= shapes_.Extent(); ++i) {
+        for (const int i : among) {
             Signature& signature = signatures_[static_cast<std::size_t>(i - 1)];
             if (same_vertices_only && !same_vertices(wanted, signature)) {
                 continue;
@@ -130,13 +138,6 @@ class HoleFinder {
 
     Found find(const FilledPart& part, HoleReport& hole, std::span<const TopoDS_Face> new_faces) {
         Found found{&hole, {}, {}, {}};
-        for (SideReport& side : hole.sides) {
-            const TopoDS_Shape edge = part.before->numbering.edges(side.edge);
-            if (const int number = edges_.find(signature_in_model(edge, part)); number > 0) {
-                found.sides[number] = &side;
-                found.edges.push_back(number);
-            }
-        }
         for (std::size_t i = 0; i < new_faces.size(); ++i) {
             const int face = faces_.find(signature_in_model(new_faces[i], part));
             hole.patches[i].face = face;
@@ -147,6 +148,20 @@ class HoleFinder {
             found.faces.push_back(TopoDS::Face(measured_.faces(face)));
             for (const TopoDS_Edge& edge : occ::edges_of(measured_.faces(face))) {
                 found.edges.push_back(measured_.of(edge));
+            }
+        }
+        const std::vector<int> borders = found.edges;
+        for (SideReport& side : hole.sides) {
+            const Signature edge =
+                signature_in_model(part.before->numbering.edges(side.edge), part);
+            // Another part of the model may have an edge in the same place.
+            int number = edges_.find(edge, borders);
+            if (number == 0) {
+                number = edges_.find(edge);
+            }
+            if (number > 0) {
+                found.sides[number] = &side;
+                found.edges.push_back(number);
             }
         }
         std::sort(found.edges.begin(), found.edges.end());
@@ -237,6 +252,22 @@ void judge(const Found& found, const ContinuityReport& report, const Tolerance& 
     }
 }
 
+/// From this angle on a face lies back on its neighbour.
+constexpr double kFoldedBack = radians(179.99);
+
+/// A fill that lies on its neighbours closes a shell without filling anything: the cap of a flat
+/// sheet's own outline.
+void note_folded_sides(HoleReport& hole) {
+    const auto folded = std::count_if(hole.sides.begin(), hole.sides.end(), [](const auto& side) {
+        return side.requested == Continuity::G0 && side.angle > kFoldedBack;
+    });
+    if (folded > 0) {
+        hole.notes.push_back(
+            fmt::format("at {} of {} sides the new face lies back on its neighbour (180 deg)",
+                        folded, hole.sides.size()));
+    }
+}
+
 /// The points that the new faces were to pass, which are given in the part's own coordinates.
 void judge_through(const std::vector<TopoDS_Face>& faces, const TopLoc_Location& placement,
                    const Tolerance& tolerance, HoleReport& hole) {
@@ -288,6 +319,7 @@ Result<void> remeasure(const TopoDS_Shape& shape, std::vector<FilledPart>& parts
     }
     for (const Found& found : holes) {
         judge(found, *report, tolerance);
+        note_folded_sides(*found.hole);
     }
     std::size_t next = 0;
     for_each_filled(parts, [&](const FilledPart& part, HoleReport& hole, const auto& /*faces*/) {

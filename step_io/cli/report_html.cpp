@@ -1,5 +1,7 @@
 #include "cli/report_html.h"
 
+#include "suture/base/text.h"
+
 #include "report/scene.h"
 #include <fmt/format.h>
 
@@ -24,41 +26,18 @@ footer { margin-top: 3rem; color: #59636e; font-size: .85rem; }
   .verdict { background: #17251b; } .verdict.warn { background: #2a2412; } }
 )";
 
-std::string escaped(std::string_view text) {
-    std::string result;
-    for (const char c : text) {
-        switch (c) {
-            case '&':
-                result += "&amp;";
-                break;
-            case '<':
-                result += "&lt;";
-                break;
-            case '>':
-                result += "&gt;";
-                break;
-            case '"':
-                result += "&quot;";
-                break;
-            default:
-                result += c;
-        }
-    }
-    return result;
-}
-
 std::string row_of(const std::vector<std::string>& cells, const std::vector<bool>& right,
                    std::string_view tag) {
     std::string row = "<tr>";
     for (std::size_t i = 0; i < cells.size(); ++i) {
         row += fmt::format("<{0}{1}>{2}</{0}>", tag, right[i] ? " class=\"n\"" : "",
-                           escaped(cells[i]));
+                           escape_markup(cells[i]));
     }
     return row + "</tr>\n";
 }
 
 std::string html_of(const Section& section) {
-    std::string html = fmt::format("<h2>{}</h2>\n", escaped(section.heading));
+    std::string html = fmt::format("<h2>{}</h2>\n", escape_markup(section.heading));
     if (!section.table.empty()) {
         const auto& right = section.table.right_aligned();
         html += "<div class=\"scroll\"><table>\n<thead>" +
@@ -69,7 +48,7 @@ std::string html_of(const Section& section) {
         html += "</tbody></table></div>\n";
     }
     for (const std::string& note : section.notes) {
-        html += fmt::format("<p>{}</p>\n", escaped(note));
+        html += fmt::format("<p>{}</p>\n", escape_markup(note));
     }
     return html;
 }
@@ -77,7 +56,7 @@ std::string html_of(const Section& section) {
 }  // namespace
 
 std::string html_report(const Command& command, const Outcome& outcome, std::string_view scene) {
-    const std::string file = escaped(command.input.filename().string());
+    const std::string file = escape_markup(command.input.filename().string());
     const std::string title = fmt::format("suture {}", command.name);
     std::string html = fmt::format(
         "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
@@ -86,9 +65,9 @@ std::string html_report(const Command& command, const Outcome& outcome, std::str
         title, file.empty() ? "" : ": ", file,
         scene.empty() ? kStyle : std::string_view(report::viewer_style()));
     html += fmt::format("<h1>{}</h1>\n<p class=\"file\">{}</p>\n", title,
-                        escaped(command.input.string()));
+                        escape_markup(command.input.string()));
     html += fmt::format("<p class=\"verdict{}\">{}</p>\n",
-                        outcome.exit_code == kDone ? "" : " warn", escaped(outcome.verdict));
+                        outcome.exit_code == kDone ? "" : " warn", escape_markup(outcome.verdict));
     html += "<div id=\"report\">\n";
     for (const Section& section : outcome.sections) {
         if (scene.empty() || !section.of_edges) {

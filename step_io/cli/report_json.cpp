@@ -137,6 +137,28 @@ Json json_of(const BoundaryLoop& loop, const io::Part& part, const std::vector<C
             {"corners", corner_list}};
 }
 
+namespace {
+
+Json polynomials_of(const ImplicitForm& form) {
+    Json cells = Json::array();
+    for (const ImplicitCell& cell : form.cells) {
+        Json cones = Json::array();
+        for (const Eigen::Matrix3d& cone : cell.cones) {
+            cones.push_back({cli::json_of(Eigen::Vector3d(cone.col(0))),
+                             cli::json_of(Eigen::Vector3d(cone.col(1))),
+                             cli::json_of(Eigen::Vector3d(cone.col(2)))});
+        }
+        cells.push_back({{"polynomial", cell.polynomial}, {"cones", cones}});
+    }
+    return {{"origin", cli::json_of(form.origin)},
+            {"size", form.size},
+            {"centre", cli::json_of(form.centre)},
+            {"degree", form.degree},
+            {"cells", cells}};
+}
+
+}  // namespace
+
 Json json_of(const HoleReport& hole, int sides) {
     const bool filled = hole.status == FillStatus::Filled;
     Json json{{"id", hole.ids.front()},
@@ -158,6 +180,9 @@ Json json_of(const HoleReport& hole, int sides) {
         hole.through.empty() ? Json() : measured(hole.max_distance_through);
     json["patches"] = array_of(hole.patches);
     json["edges"] = filled ? array_of(hole.sides) : Json::array();
+    if (hole.implicit) {
+        json["polynomials"] = polynomials_of(*hole.implicit);
+    }
     json["seconds"] = hole.seconds;
     json["reason"] = hole.reason;
     json["notes"] = strings_of(hole.notes);
@@ -200,17 +225,6 @@ Json json_of(const KnotLine& line) {
             {"curvature_mismatch_sum", line.curvature_mismatch_sum},
             {"at", json_of(line.at)},
             {"samples", line.samples}};
-}
-
-Json json_of(const Profile& profile) {
-    return {{"name", profile.name},
-            {"source", profile.source},
-            {"g0_mm", profile.tolerance.linear},
-            {"g1_deg", degrees(profile.tolerance.angular)},
-            {"g2_percent", 100.0 * profile.tolerance.curvature},
-            {"g2_by", to_string(profile.curvature_by)},
-            {"g3_deg", degrees(profile.g3)},
-            {"sharp_deg", degrees(profile.sharp)}};
 }
 
 }  // namespace suture::cli

@@ -42,6 +42,5 @@ inline constexpr int kSchema = 2;
 /// One entry of `edges` of check, one of `face_knots`, and its profile.
 [[nodiscard]] Json json_of(const EdgeContinuity& edge);
 [[nodiscard]] Json json_of(const KnotLine& line);
-[[nodiscard]] Json json_of(const Profile& profile);
 
 }  // namespace suture::cli

@@ -1,4 +1,5 @@
 #include "files/mesh.h"
+#include "suture/base/text.h"
 
 #include <fmt/ostream.h>
 #include <zip.h>
@@ -36,29 +37,6 @@ std::array<float, 3> unit_normal(const Point& a, const Point& b, const Point& c)
                         : std::array<float, 3>{};
 }
 
-std::string escaped(const std::string& text) {
-    std::string result;
-    for (const char c : text) {
-        switch (c) {
-            case '&':
-                result += "&amp;";
-                break;
-            case '<':
-                result += "&lt;";
-                break;
-            case '>':
-                result += "&gt;";
-                break;
-            case '"':
-                result += "&quot;";
-                break;
-            default:
-                result += c;
-        }
-    }
-    return result;
-}
-
 constexpr std::string_view kContentTypes =
     R"(<?xml version="1.0" encoding="UTF-8"?>
 <Types xmlns="http://schemas.openxmlformats.org/package/2006/content-types">
@@ -80,7 +58,7 @@ std::string model_xml(const Mesh& mesh, const std::string& name) {
 <model unit="millimeter" xmlns="http://schemas.microsoft.com/3dmanufacturing/core/2015/02">
 <resources><object id="1" type="model" name="{}"><mesh><vertices>
 )",
-        escaped(name));
+        escape_markup(name));
     auto out = std::back_inserter(xml);
     for (const auto& [x, y, z] : mesh.points) {
         fmt::format_to(out, "<vertex x=\"{}\" y=\"{}\" z=\"{}\"/>\n", x, y, z);

@@ -5,6 +5,7 @@
 
 #include "report/base64.h"
 #include "report/face_mesh.h"
+#include "report/profile_json.h"
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -130,17 +131,6 @@ Json knots_json(const SceneInput& input) {
     return lines;
 }
 
-Json profile_json(const Profile& profile) {
-    return {{"name", profile.name},
-            {"source", profile.source},
-            {"g0_mm", profile.tolerance.linear},
-            {"g1_deg", degrees(profile.tolerance.angular)},
-            {"g2_percent", 100.0 * profile.tolerance.curvature},
-            {"g2_by", to_string(profile.curvature_by)},
-            {"g3_deg", degrees(profile.g3)},
-            {"sharp_deg", degrees(profile.sharp)}};
-}
-
 /// Faces whose geometry is that of a new one: all instances of a part are filled.
 std::vector<int> numbers_of_new(const SceneInput& input) {
     std::set<const TopoDS_TShape*> wanted;
@@ -198,7 +188,7 @@ Result<std::string> make_scene(const SceneInput& input, const Progress& progress
     const CheckSummary& summary = input.summary;
     const Json document = {{"models", std::move(models)},
                            {"new_faces", numbers_of_new(input)},
-                           {"profile", profile_json(input.profile)},
+                           {"profile", json_of(input.profile)},
                            {"edges", edges_json(edges, input.profile)},
                            {"traces", traces_json(*traces)},
                            {"knots", knots_json(input)},

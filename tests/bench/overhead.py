@@ -1,10 +1,11 @@
 #!/usr/bin/python3
-"""Weighs `suture fill` against a bare OCCT program that reads and writes the same file.
+"""Weighs `suture fill` against bare OCCT programs that read and write the same file.
 
     overhead.py [-o RESULT.json] [--runs 5] [--cases WORD...] [--methods ID...]
 
-Both are run in turns, so that a busy machine slows both. The ratio is of the medians of the whole
-processes' seconds, the seconds within the fill methods taken off.
+One of them keeps the shapes only, the other names, colours and the assembly tree too, as `suture
+fill` does. All are run in turns, so that a busy machine slows all. The ratios are of the medians of
+the whole processes' seconds, the seconds within the fill methods taken off.
 """
 
 import argparse
@@ -16,7 +17,7 @@ from pathlib import Path
 
 from bench import machine
 from cases import reopened_cases, with_holes
-from program import BARE, BUILD, SUTURE, run
+from program import BARE, BARE_NAMES, BUILD, SUTURE, run
 
 LIMIT = 300  # seconds for one run
 METHODS = ("plane", "extend", "mvs", "concentric", "auto")
@@ -56,19 +57,22 @@ def weigh(case, methods, runs, folder):
     row = {"case": case.name, "bytes": case.model.stat().st_size, "method": method}
     if method is None:
         return row | {"reason": f"none of {', '.join(methods)} fills it"}
-    ours, bare = [], []
+    ours, bare, names = [], [], []
     for _ in range(runs):
         bare.append(run([BARE, case.model, bare_out], LIMIT))
+        names.append(run([BARE_NAMES, case.model, bare_out], LIMIT))
         ours.append(run(command(case, method, out), LIMIT))
-    if any(one.code != 0 for one in bare):
-        return row | {"reason": f"bare OCCT fails: {bare[0].err.strip()}"}
+    if failed := [one for one in bare + names if one.code != 0]:
+        return row | {"reason": f"bare OCCT fails: {failed[0].err.strip()}"}
     own = [one.seconds - one.document()["seconds"]["fill"] for one in ours]
     own_cpu = [one.cpu_seconds - one.document()["seconds"]["fill"] for one in ours]
     row |= {
         "bare_seconds": statistics.median(one.seconds for one in bare),
+        "names_seconds": statistics.median(one.seconds for one in names),
         "seconds": statistics.median(one.seconds for one in ours),
         "fill_seconds": statistics.median(one.document()["seconds"]["fill"] for one in ours),
         "ratio": statistics.median(own) / statistics.median(one.seconds for one in bare),
+        "names_ratio": statistics.median(own) / statistics.median(one.seconds for one in names),
         "cpu_ratio": statistics.median(own_cpu) / statistics.median(one.cpu_seconds for one in bare),
         "stages": medians(ours),
         "bare_peak_bytes": max(one.peak_bytes for one in bare),
@@ -88,6 +92,7 @@ def overhead(options):
                 rows.append(weigh(case, options.methods, options.runs, Path(folder)))
                 print(
                     f"{case.name:24} {rows[-1].get('ratio', float('nan')):6.2f} "
+                    f"{rows[-1].get('names_ratio', float('nan')):6.2f} "
                     f"{rows[-1].get('cpu_ratio', float('nan')):6.2f}",
                     file=sys.stderr,
                 )

@@ -14,6 +14,7 @@ BUILD = Path(os.environ.get("SUTURE_BINARY_DIR", SOURCE / "build/release"))
 SUTURE = Path(os.environ.get("SUTURE_PROGRAM", BUILD / "bin/suture"))
 JUDGE = BUILD / "tests/bench/suture_judge"
 BARE = BUILD / "tests/bench/suture_bare_read_write"
+BARE_NAMES = BUILD / "tests/bench/suture_bare_read_write_names"
 
 
 @dataclass

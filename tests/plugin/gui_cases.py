@@ -46,18 +46,14 @@ def edit(driver):
     yield driver.until("the edge", lambda: bool(Gui.Selection.getSelectionEx()))
     driver.said["picked"] = list(Gui.Selection.getSelectionEx()[0].SubElementNames)
     yield from driver.tool("Suture_Fill")
-    yield driver.until(
-        "the preview", lambda: driver.there("SutureStatus") and "within" in driver.status()
-    )
+    yield driver.preview()
     driver.press(OK)
     yield driver.until("the panel to close", lambda: not driver.dialog_open())
     filled = document.getObject("Filled")
     driver.said["edges"] = list(filled.Base[1])
     driver.said["hidden"] = not obj.ViewObject.Visibility
     filled.ViewObject.Proxy.doubleClicked(filled.ViewObject)
-    yield driver.until(
-        "the preview", lambda: driver.there("SutureStatus") and "within" in driver.status()
-    )
+    yield driver.preview()
     combo = driver.find("SutureSide9", QtGui.QComboBox)
     combo.setCurrentText("G0")
     yield driver.until("a new preview", lambda: "within" not in driver.status())
@@ -139,9 +135,7 @@ def containers(driver):
     Gui.Selection.clearSelection()
     Gui.Selection.addSelection(document.Name, "Part", f"{obj.Name}.Edge19")
     yield from driver.tool("Suture_Fill")
-    yield driver.until(
-        "the preview", lambda: driver.there("SutureStatus") and "within" in driver.status()
-    )
+    yield driver.preview()
     yield driver.pause(0.3)
     driver.picture("part")
     driver.press(OK)

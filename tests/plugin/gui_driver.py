@@ -39,6 +39,9 @@ class Driver:
         end = time.monotonic() + seconds
         return self.until("a pause", lambda: time.monotonic() >= end, seconds + 30)
 
+    def preview(self):
+        return self.until("the preview", lambda: self.there("SutureStatus") and "within" in self.status())
+
     # -- widgets
 
     def find(self, name, kind=QtGui.QWidget):

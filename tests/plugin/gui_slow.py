@@ -66,9 +66,7 @@ def recompute(driver):
     yield driver.pause(0.5)
     Gui.Selection.addSelection(obj)
     yield from driver.tool("Suture_Fill")
-    yield driver.until(
-        "the preview", lambda: driver.there("SutureStatus") and "within" in driver.status()
-    )
+    yield driver.preview()
     driver.press(OK)
     yield driver.until("the panel to close", lambda: not driver.dialog_open())
     filled = document.getObject("Filled")

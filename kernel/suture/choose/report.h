@@ -1,9 +1,11 @@
 #pragma once
 
 #include "suture/model/continuity.h"
+#include "suture/model/implicit_form.h"
 
 #include <Eigen/Core>
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -44,6 +46,7 @@ struct HoleReport {
     double max_gap = 0.0, max_angle = 0.0, max_curvature_mismatch = 0.0;
     std::vector<PatchFacts> patches;
     std::vector<SideReport> sides;
+    std::optional<ImplicitForm> implicit;  ///< in the part's own coordinates
     std::vector<Eigen::Vector3d> through;  ///< points that were to be passed
     double max_distance_through = 0.0;     ///< of these points from the new face
     std::vector<std::string> notes;

@@ -3,6 +3,7 @@
 #include "suture/fill/algebraic/guide.h"
 #include "suture/fill/algebraic/jets.h"
 #include "suture/fill/algebraic/neighbour.h"
+#include "suture/fill/algebraic/parse.h"
 #include "suture/fill/algebraic/patches.h"
 #include "suture/fill/algebraic/solution.h"
 #include "suture/fill/algebraic/view.h"
@@ -165,6 +166,18 @@ double angle_at_sides(const Hole& hole, const Unit& unit, const Solution& soluti
     return most;
 }
 
+ImplicitForm implicit_form_of(const Problem& problem, const Solution& solution, const Unit& unit) {
+    ImplicitForm form{unit.origin, unit.size, problem.view.centre, solution.degree, {}};
+    for (const algebraic::Polynomial<double>& cell : solution.cells) {
+        form.cells.push_back({algebraic::to_text(cell), {}});
+    }
+    for (const algebraic::Sector& sector : solution.partition.sectors) {
+        form.cells[static_cast<std::size_t>(sector.cell)].cones.push_back(
+            algebraic::directions_of(sector, solution.rays));
+    }
+    return form;
+}
+
 std::string describe(const Solution& s) {
     std::string text = fmt::format(
         "degree {} in {} cells: {} x {} system, rank {}, {} solutions, {} different surfaces; "
@@ -213,6 +226,7 @@ Result<FillResult> fill_algebraic(const Hole& hole, const FillOptions& options) 
     if (!result) {
         return result;
     }
+    result->implicit = implicit_form_of(*problem, *solution, unit);
     result->notes.push_back(describe(*solution));
     result->notes.push_back(fmt::format(
         "the polynomials meet the neighbours' normals within {:.2g} deg; the faces lie within "

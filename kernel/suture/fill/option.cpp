@@ -1,6 +1,7 @@
 #include "suture/fill/option.h"
 
 #include "suture/base/contract.h"
+#include "suture/base/text.h"
 
 #include <algorithm>
 #include <charconv>
@@ -8,18 +9,6 @@
 
 namespace suture {
 namespace {
-
-std::vector<std::string_view> split(std::string_view text, char separator) {
-    std::vector<std::string_view> parts;
-    for (;;) {
-        const std::size_t end = text.find(separator);
-        parts.push_back(text.substr(0, end));
-        if (end == std::string_view::npos) {
-            return parts;
-        }
-        text.remove_prefix(end + 1);
-    }
-}
 
 std::optional<std::vector<double>> read_numbers(std::string_view text) {
     std::vector<double> numbers;

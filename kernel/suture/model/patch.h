@@ -1,6 +1,7 @@
 #pragma once
 
 #include "suture/model/continuity.h"
+#include "suture/model/implicit_form.h"
 #include "suture/model/surface.h"
 
 #include <Eigen/Core>
@@ -85,6 +86,7 @@ struct FillResult {
     std::vector<Patch> patches;  ///< each has an edge of the hole or of a patch before it
     std::vector<Eigen::Vector3d> inner_vertices;
     std::vector<InnerEdge> inner_edges;
+    std::optional<ImplicitForm> implicit;  ///< of a method that has one
     std::vector<std::string> notes;  ///< what the user should know: relaxed corners, chosen counts
 };
 

@@ -7,7 +7,7 @@ import FreeCAD as App
 import FreeCADGui as Gui
 
 from ..compat import QtWidgets, run_loop, translate
-from ..errors import Cancelled, SutureError
+from ..errors import Cancelled, NothingToDo, SutureError
 from . import pick
 
 
@@ -34,6 +34,15 @@ def show(error, item=None):
     box.setWindowTitle("Suture")
     box.setText(text)
     run_loop(box)
+
+
+def report(status, error, item):
+    """The sentence in a panel's status line; no hole at all is no failure."""
+    if isinstance(error, NothingToDo):
+        status.good(translate("There is no hole: {}.").format(error))
+        return
+    status.bad(text_of(error))
+    select(error, item)
 
 
 def select(error, item):

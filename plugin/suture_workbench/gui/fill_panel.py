@@ -6,7 +6,7 @@ import FreeCADGui as Gui
 
 from .. import RESOURCES, api, feature, meshes, places, reports, settings, tasks
 from ..compat import QtCore, QtWidgets, translate
-from ..errors import NothingToDo, SutureError
+from ..errors import SutureError
 from ..options import CONTINUITIES, FillOptions
 from ..program import methods
 from . import failures, overlay
@@ -230,11 +230,7 @@ class FillPanel(Panel):
             self.status.bad(reports.shortfall(filled.report))
 
     def _failed(self, error):
-        if isinstance(error, NothingToDo):
-            self.status.good(translate("There is no hole: {}.").format(error))
-            return
-        self.status.bad(failures.text_of(error))
-        failures.select(error, self.item)
+        failures.report(self.status, error, self.item)
 
     # -- the end
 

@@ -3,7 +3,6 @@
 
 from .. import RESOURCES, places, tasks
 from ..compat import QtWidgets, translate
-from ..errors import NothingToDo
 from . import failures
 from .holes_tree import HolesTree
 from .progress import Watcher
@@ -49,11 +48,7 @@ class HolesPanel(Panel):
         self._count()
 
     def _failed(self, error):
-        if isinstance(error, NothingToDo):
-            self.status.good(translate("There is no hole: {}.").format(error))
-            return
-        self.status.bad(failures.text_of(error))
-        failures.select(error, self.item)
+        failures.report(self.status, error, self.item)
 
     def _count(self):
         self.fill_button.setEnabled(bool(self.tree.ticked()))

@@ -265,24 +265,7 @@ TEST(MeasureContinuity, FindsTheLargestGapBetweenSamplesAndWhere) {
 TEST(MeasureContinuity, EvaluatesCurvatureOnTheFacesSideOfAKnot) {
     // One C1 B-spline, z = 0 for x < 0 and z = x^2 for x > 0, trimmed to its right half, against a
     // flat face on its left: the curvature at x = 0 is 2 from the right and 0 from the left.
-    TColgp_Array2OfPnt net(1, 5, 1, 2);
-    const std::array<double, 5> x = {-1, -0.5, 0, 0.5, 1};
-    const std::array<double, 5> z = {0, 0, 0, 0, 1};
-    for (int i = 1; i <= 5; ++i) {
-        net(i, 1) = gp_Pnt(x.at(i - 1), 0, z.at(i - 1));
-        net(i, 2) = gp_Pnt(x.at(i - 1), 2, z.at(i - 1));
-    }
-    TColStd_Array1OfReal knots_u(1, 3), knots_v(1, 2);
-    TColStd_Array1OfInteger mults_u(1, 3), mults_v(1, 2);
-    for (int i = 1; i <= 3; ++i) {
-        knots_u(i) = i - 2;
-        mults_u(i) = i == 2 ? 2 : 3;
-    }
-    knots_v(1) = 0;
-    knots_v(2) = 2;
-    mults_v.Init(2);
-    const auto surface =
-        occ::make<Geom_BSplineSurface>(net, knots_u, knots_v, mults_u, mults_v, 2, 1);
+    const auto surface = shapes::folded_spline({0, 0, 0, 0, 1});
     const auto half = [&](double from, double to) {
         return BRepBuilderAPI_MakeFace(surface, from, to, 0, 2, 1e-7).Face();
     };

@@ -13,26 +13,6 @@
 namespace suture {
 namespace {
 
-/// Degree 2 by 1 over [-1, 1] x [0, 2] with a double knot at 0: z(x) = left for x < 0, right for
-/// x > 0, given by the heights of the five poles.
-occ::Handle<Geom_BSplineSurface> folded_spline(const std::array<double, 5>& z) {
-    TColgp_Array2OfPnt net(1, 5, 1, 2);
-    for (int i = 1; i <= 5; ++i) {
-        net(i, 1) = gp_Pnt(-1.5 + 0.5 * i, 0, z.at(static_cast<std::size_t>(i - 1)));
-        net(i, 2) = gp_Pnt(-1.5 + 0.5 * i, 2, z.at(static_cast<std::size_t>(i - 1)));
-    }
-    TColStd_Array1OfReal knots_u(1, 3), knots_v(1, 2);
-    TColStd_Array1OfInteger mults_u(1, 3), mults_v(1, 2);
-    for (int i = 1; i <= 3; ++i) {
-        knots_u(i) = i - 2;
-        mults_u(i) = i == 2 ? 2 : 3;
-    }
-    knots_v(1) = 0;
-    knots_v(2) = 2;
-    mults_v.Init(2);
-    return occ::make<Geom_BSplineSurface>(net, knots_u, knots_v, mults_u, mults_v, 2, 1);
-}
-
 std::vector<KnotLine> lines_of(const TopoDS_Shape& shape) {
     auto lines = measure_face_knots(shape, Progress{});
     EXPECT_TRUE(lines) << lines.error().message;
@@ -40,7 +20,7 @@ std::vector<KnotLine> lines_of(const TopoDS_Shape& shape) {
 }
 
 TEST(FaceKnots, ACreaseInsideAFaceHasTheAngleOfItsPoles) {
-    const auto roof = folded_spline({-0.2, -0.1, 0, -0.1, -0.2});
+    const auto roof = shapes::folded_spline({-0.2, -0.1, 0, -0.1, -0.2});
     const auto lines = lines_of(shapes::face_on(roof));
     ASSERT_EQ(lines.size(), 1U);
     EXPECT_EQ(lines[0].face, 1);
@@ -50,14 +30,14 @@ TEST(FaceKnots, ACreaseInsideAFaceHasTheAngleOfItsPoles) {
     EXPECT_NEAR(lines[0].max_angle, 2.0 * std::atan(0.2), 1e-12);
     EXPECT_NEAR(lines[0].at.x(), 0.0, 1e-12);
     EXPECT_FALSE(is_near_miss(lines[0], Profile{}));  // sharp: 22.6 degrees
-    const auto faint = lines_of(shapes::face_on(folded_spline({0, 0, 0, 0.01, 0.02})));
+    const auto faint = lines_of(shapes::face_on(shapes::folded_spline({0, 0, 0, 0.01, 0.02})));
     EXPECT_NEAR(faint.at(0).max_angle, std::atan(0.02), 1e-12);
     EXPECT_TRUE(is_near_miss(faint[0], Profile{}));
 }
 
 TEST(FaceKnots, AJumpOfCurvatureInsideAFaceIsToldByBothDefinitions) {
     // z = x^2/4 before, x^2 after: curvatures 0.5 and 2 at x = 0.
-    const auto lines = lines_of(shapes::face_on(folded_spline({0.25, 0, 0, 0, 1})));
+    const auto lines = lines_of(shapes::face_on(shapes::folded_spline({0.25, 0, 0, 0, 1})));
     ASSERT_EQ(lines.size(), 1U);
     EXPECT_NEAR(lines[0].max_angle, 0.0, 1e-12);
     EXPECT_NEAR(lines[0].curvature_mismatch, 0.75, 1e-12);
@@ -69,7 +49,7 @@ TEST(FaceKnots, KeepTheirFiguresWhenTheModelIsMovedAndScaled) {
     turn.SetRotation(gp_Ax1({1, 2, 3}, {1, 1, -2}), 0.7);
     gp_Trsf size;
     size.SetScale({-1, 4, 2}, 1e3);
-    const auto face = shapes::face_on(folded_spline({0.25, 0, 0, 0.01, 1}));
+    const auto face = shapes::face_on(shapes::folded_spline({0.25, 0, 0, 0.01, 1}));
     const auto expected = lines_of(face).at(0);
     const auto moved = lines_of(face.Moved(TopLoc_Location(turn))).at(0);
     const auto scaled = lines_of(BRepBuilderAPI_Transform(face, turn * size, true).Shape()).at(0);
@@ -82,7 +62,7 @@ TEST(FaceKnots, KeepTheirFiguresWhenTheModelIsMovedAndScaled) {
 }
 
 TEST(FaceKnots, OnlyLinesInsideTheFaceCount) {
-    const auto roof = folded_spline({-0.2, -0.1, 0, -0.1, -0.2});
+    const auto roof = shapes::folded_spline({-0.2, -0.1, 0, -0.1, -0.2});
     const auto half = BRepBuilderAPI_MakeFace(roof, 0.0, 1.0, 0.0, 2.0, 1e-7).Face();
     EXPECT_TRUE(lines_of(half).empty());
     const auto part = BRepBuilderAPI_MakeFace(roof, 0.2, 1.0, 0.0, 2.0, 1e-7).Face();

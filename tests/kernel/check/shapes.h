@@ -22,6 +22,7 @@
 #include <TopoDS_Wire.hxx>
 #include <gp_Pln.hxx>
 
+#include <array>
 #include <cmath>
 #include <functional>
 #include <vector>
@@ -151,6 +152,26 @@ inline occ::Handle<Geom_Surface> height_field(double x0, double x1, int degree_u
         }
     }
     return bezier(net);
+}
+
+/// Degree 2 by 1 over [-1, 1] x [0, 2] with a double knot at 0: z(x) = left for x < 0, right for
+/// x > 0, given by the heights of the five poles.
+inline occ::Handle<Geom_BSplineSurface> folded_spline(const std::array<double, 5>& z) {
+    TColgp_Array2OfPnt net(1, 5, 1, 2);
+    for (int i = 1; i <= 5; ++i) {
+        net(i, 1) = gp_Pnt(-1.5 + 0.5 * i, 0, z.at(static_cast<std::size_t>(i - 1)));
+        net(i, 2) = gp_Pnt(-1.5 + 0.5 * i, 2, z.at(static_cast<std::size_t>(i - 1)));
+    }
+    TColStd_Array1OfReal knots_u(1, 3), knots_v(1, 2);
+    TColStd_Array1OfInteger mults_u(1, 3), mults_v(1, 2);
+    for (int i = 1; i <= 3; ++i) {
+        knots_u(i) = i - 2;
+        mults_u(i) = i == 2 ? 2 : 3;
+    }
+    knots_v(1) = 0;
+    knots_v(2) = 2;
+    mults_v.Init(2);
+    return occ::make<Geom_BSplineSurface>(net, knots_u, knots_v, mults_u, mults_v, 2, 1);
 }
 
 }  // namespace suture::shapes

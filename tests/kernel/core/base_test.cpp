@@ -1,4 +1,5 @@
 #include "suture/base/contract.h"
+#include "suture/base/text.h"
 #include "suture/base/tolerance.h"
 
 #include <gtest/gtest.h>
@@ -47,6 +48,17 @@ TEST(Contract, ThrowsWithTheBrokenCondition) {
     } catch (const ContractViolation& violation) {
         EXPECT_NE(std::string(violation.what()).find("n == 4"), std::string::npos);
     }
+}
+
+TEST(Text, SplitsAtEverySeparator) {
+    EXPECT_EQ(split("a,,bc,", ','), (std::vector<std::string_view>{"a", "", "bc", ""}));
+    EXPECT_EQ(split("", ','), std::vector<std::string_view>{""});
+}
+
+TEST(Text, EscapesWhatMarkupCannotHold) {
+    EXPECT_EQ(escape_markup("a<b> & \"c\"\n"), "a&lt;b&gt; &amp; &quot;c&quot;\n");
+    EXPECT_EQ(escape_markup(std::string_view("\x01\t\0", 3)), "?\t?");
+    EXPECT_EQ(escape_markup("gr\xc3\xbcn"), "gr\xc3\xbcn");
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include "suture/detect/sew_loose.h"
 
+#include "support/properties.h"
 #include "suture/base/tolerance.h"
 #include "suture/detect/sew_faces.h"
 #include "suture/detect/shell_graph.h"
@@ -23,20 +24,10 @@
 namespace suture {
 namespace {
 
+using test::area;
 using test::Census;
 using test::census;
-
-double volume(const TopoDS_Shape& shape) {
-    GProp_GProps properties;
-    BRepGProp::VolumeProperties(shape, properties);
-    return properties.Mass();
-}
-
-double area(const TopoDS_Shape& shape) {
-    GProp_GProps properties;
-    BRepGProp::SurfaceProperties(shape, properties);
-    return properties.Mass();
-}
+using test::volume;
 
 SewnShape sew(const TopoDS_Shape& shape, double tolerance = 0.0) {
     auto result = sew_loose(shape, tolerance);

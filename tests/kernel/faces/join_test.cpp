@@ -1,14 +1,13 @@
 #include "suture/faces/join.h"
 
+#include "support/properties.h"
 #include "suture/faces/make_faces.h"
 
 #include "kernel/faces/holes.h"
 #include <gtest/gtest.h>
 
 #include <BRepCheck_Analyzer.hxx>
-#include <BRepGProp.hxx>
 #include <BRep_Builder.hxx>
-#include <GProp_GProps.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopTools_MapOfShape.hxx>
 #include <TopoDS_Compound.hxx>
@@ -20,11 +19,7 @@
 namespace suture {
 namespace {
 
-double volume(const TopoDS_Shape& shape) {
-    GProp_GProps properties;
-    BRepGProp::VolumeProperties(shape, properties);
-    return properties.Mass();
-}
+using test::volume;
 
 std::size_t count(const TopoDS_Shape& shape, TopAbs_ShapeEnum kind) {
     std::size_t found = 0;

@@ -1,3 +1,4 @@
+#include "support/properties.h"
 #include "suture/faces/join.h"
 #include "suture/faces/make_faces.h"
 
@@ -5,9 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <BRepCheck_Analyzer.hxx>
-#include <BRepGProp.hxx>
 #include <BRepPrimAPI_MakeCone.hxx>
-#include <GProp_GProps.hxx>
 
 #include <cmath>
 
@@ -17,22 +16,12 @@ namespace suture {
 namespace {
 
 using Eigen::Vector2d;
+using test::area;
 using test::OpenHole;
+using test::volume;
 
 /// How well OCCT integrates over faces with several spans.
 constexpr double kQuadrature = 2e-5;
-
-double volume(const TopoDS_Shape& shape) {
-    GProp_GProps properties;
-    BRepGProp::VolumeProperties(shape, properties);
-    return properties.Mass();
-}
-
-double area(const TopoDS_Shape& shape) {
-    GProp_GProps properties;
-    BRepGProp::SurfaceProperties(shape, properties);
-    return properties.Mass();
-}
 
 TopoDS_Shape filled(const TopoDS_Shape& shape, const OpenHole& open, const FillResult& fill) {
     const auto made = make_faces(open.loops, open.hole, fill);

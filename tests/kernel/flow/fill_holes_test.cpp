@@ -1,6 +1,7 @@
 #include "suture/fill_holes.h"
 
 #include "support/grids.h"
+#include "support/properties.h"
 #include "suture/occ/convert.h"
 #include "suture/occ/handle.h"
 
@@ -10,12 +11,10 @@
 #include <BRepBuilderAPI_Transform.hxx>
 #include <BRepCheck_Analyzer.hxx>
 #include <BRepFilletAPI_MakeFillet.hxx>
-#include <BRepGProp.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRepTools_ReShape.hxx>
 #include <BRep_Tool.hxx>
-#include <GProp_GProps.hxx>
 #include <GeomConvert.hxx>
 #include <Geom_BSplineSurface.hxx>
 #include <Geom_ConicalSurface.hxx>
@@ -31,21 +30,11 @@ namespace suture {
 namespace {
 
 using occ::Handle;
+using test::area;
+using test::volume;
 
 Result<FillOutcome> fill(const TopoDS_Shape& shape, const FillRequest& request = {}) {
     return fill_holes(shape, occ::Numbering(shape), request);
-}
-
-double volume(const TopoDS_Shape& shape) {
-    GProp_GProps properties;
-    BRepGProp::VolumeProperties(shape, properties);
-    return properties.Mass();
-}
-
-double area(const TopoDS_Shape& shape) {
-    GProp_GProps properties;
-    BRepGProp::SurfaceProperties(shape, properties);  // good to five digits on splines
-    return properties.Mass();
 }
 
 void expect_closed_solid(const FillOutcome& outcome) {

@@ -51,6 +51,45 @@ class Problems(Case):
         self.assertGreater(min(distances), 0.95)
         self.assertLess(max(distances), 1.03)
 
+    def test_default_is_the_papers_cubic_in_seven_cells(self):
+        found = self.expect(run("algebraic", TABLE, "--json"), DONE).json
+        self.assertEqual((found["degree"], len(found["cells"]), found["rank"]), (3, 7, 54))
+
+    def test_position_only_takes_quadrics(self):
+        self.assertEqual(self.solve(k=0)["degree"], 2)
+
+    def test_curvatures_that_differ_at_a_corner_are_refused(self):
+        done = run("algebraic", problem(self.folder.name, k=2), "--json")
+        refused = self.expect(done, OUT_OF_TOLERANCE).json["refused"]
+        self.assertRegex(refused, r"corner of sides 3 and 1 is G\^2 .*curvatures differ")
+
+    def test_curvature_is_kept_where_the_neighbours_agree(self):
+        """A ball with an octant missing: G^2 and G^3 with the ball itself, by a linear factor more."""
+        sides = [{"surface": "x^2 + y^2 + z^2 - 1", "plane": plane, "from": corner}
+                 for plane, corner in (("z", [1, 0, 0]), ("x", [0, 1, 0]), ("y", [0, 0, 1]))]  # fmt: skip
+        mesh = Path(self.folder.name) / "m.obj"
+        for k in (2, 3):
+            file = problem(self.folder.name, k=k, centre=[0, 0, 0], sides=sides)
+            found = self.expect(run("algebraic", file, "--mesh", mesh, "--json"), DONE).json
+            self.assertEqual(found["k"], k)
+            points = [list(map(float, line.split()[1:])) for line in mesh.read_text().splitlines() if line[:2] == "v "]
+            self.assertLess(max(abs(math.dist(p, (0, 0, 0)) - 1) for p in points), 1e-9)
+
+    def test_faces_are_written_sewn_and_near_their_polynomials(self):
+        for name in ("t.step", "t.igs"):
+            out = Path(self.folder.name) / name
+            done = self.expect(run("algebraic", TABLE, "-o", out, "--json"), DONE).json
+            faces = done["faces"]
+            self.assertLess(faces["fit_error"], 1e-7)
+            self.assertLess(faces["max_angle_deg"], 0.01)
+            self.assertTrue(faces["shape"]["valid"])
+            check = run("check", out, "--g1", "0.01", "--json").json
+            inner = [edge for edge in check["edges"] if edge["class"] != "sharp"]
+            self.assertEqual(check["shape"]["free_edges"], 3)
+            self.assertGreater(len(inner), 9)
+            self.assertLess(max(edge["max_angle_deg"] for edge in inner), 0.01)
+            self.assertLess(max(edge["max_gap"] for edge in inner), 1e-6)
+
     def test_refusals(self):
         self.expect_refused(run("algebraic", "no_such.json"), UNREADABLE, "no_such.json")
         for changes, text in (
@@ -76,6 +115,17 @@ class Models(Case):
             self.assertLess(hole["max_gap"], 1e-6 * 20)
             self.assertLess(hole["max_angle_deg"], 0.01)
             self.assertEqual(len(hole["patches"]), 3)
+            form = hole["polynomials"]
+            self.assertEqual([len(cell["cones"]) for cell in form["cells"]], [1, 1, 1])
+            cell = form["cells"][0]
+            origin, size, centre = form["origin"], form["size"], form["centre"]
+            # A corner of the hole is on the first cone's first ray: near where it meets g = 0.
+            g = re.sub(r"\^", "**", cell["polynomial"])
+            ray = cell["cones"][0][0]
+            values = [eval(g, dict(zip("xyz", (c + t * r for c, r in zip(centre, ray))))) for t in (0.9, 1.0, 1.1)]
+            self.assertLess(values[0] * values[2], 0.0)
+            self.assertLess(abs(values[1]), 1e-9)
+            self.assertTrue(size > 0 and len(origin) == 3)
 
     def test_freeform_neighbours_are_refused_with_the_reason(self):
         file = CAD / "reopened" / "12_freeform_smoothstar.open.step"

@@ -8,6 +8,7 @@ import re
 import subprocess
 
 from program import (
+    CAD,
     DONE,
     NOTHING,
     OUT_OF_TOLERANCE,
@@ -161,6 +162,17 @@ class Fill(Case):
         self.assertEqual(document["holes"][0]["status"], "filled")
         self.assertFalse(document["holes"][0]["within_tolerance"])
         self.assertTrue(self.output.exists())
+
+    def test_sides_are_measured_on_the_new_face_where_other_edges_lie_in_the_same_place(self):
+        # The outline of a flat sheet, two sides of which lie on edges of the body around it.
+        wing = CAD / "files" / "simple_wing.stp"
+        if not wing.exists():
+            self.skipTest(f"needs {wing}")
+        words = ["-o", self.output, "--method", "plane", "--all-loops", "--continuity", "G0", "--json"]
+        hole = self.expect(run("fill", wing, *words), DONE).json["holes"][0]
+        self.assertEqual([side["max_angle_deg"] for side in hole["edges"]], [180.0] * 4)
+        self.assertTrue(hole["within_tolerance"])
+        self.assertIn("at 4 of 4 sides the new face lies back on its neighbour (180 deg)", hole["notes"])
 
     def test_g0_judges_the_gap_only(self):
         document = self.fill("box_without_lid", "--continuity", "G0")

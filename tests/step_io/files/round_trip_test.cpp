@@ -1,19 +1,15 @@
+#include "support/properties.h"
+
 #include "step_io/files/assembly.h"
 #include "step_io/files/describe.h"
 
 #include <BRepCheck_Analyzer.hxx>
-#include <BRepGProp.hxx>
-#include <GProp_GProps.hxx>
 
 namespace suture::io::test {
 
 namespace {
 
-double volume(const TopoDS_Shape& shape) {
-    GProp_GProps properties;
-    BRepGProp::VolumeProperties(shape, properties);
-    return properties.Mass();
-}
+using suture::test::volume;
 
 class RoundTripOfSchema : public ::testing::TestWithParam<const char*> {};
 

@@ -4,6 +4,7 @@
 #include "suture/check/certify/foot_point.h"
 #include "suture/occ/handle.h"
 
+#include <algorithm>
 #include <numbers>
 
 namespace suture::certify {
@@ -94,10 +95,9 @@ Path make_path(const std::vector<double>& nodes, const std::vector<double>& knot
         path.model = TaylorModel(path.at_low ? path.low : path.high);
         return path;
     }
-    std::vector<double> values;
-    for (const double node : nodes) {
-        values.push_back((node - middle) / half);
-    }
+    std::vector<double> values(nodes.size());
+    std::transform(nodes.begin(), nodes.end(), values.begin(),
+                   [&](double node) { return (node - middle) / half; });
     path.model = TaylorModel(interpolate(values), 0.0);
     const Interval range = path.model.range();
     path.outside = std::max({0.0, path.low - range.low, range.high - path.high});

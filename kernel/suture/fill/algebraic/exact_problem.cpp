@@ -83,15 +83,9 @@ Ribbon ribbon_of(const Polynomial<double>& f, const UnitCurve& curve, int k, int
         const double low = std::max(0.0, s - kStep);
         const double high = std::min(1.0, s + kStep);
         p.tangent = (curve(high) - curve(low)) / (high - low);
-        const MonomialJets jets = monomial_jets(f.degree, p.point);
-        const Vector3d gradient = jets.first * coefficients(f);
-        p.normal = gradient.normalized();
+        p.normal = evaluate(f, p.point).gradient.normalized();
         p.inward = p.normal.cross(p.tangent).normalized();
-        const Eigen::Matrix<double, 6, 1> h = jets.second * coefficients(f);
-        Matrix3d hessian;
-        hessian << h[0], h[3], h[4], h[3], h[1], h[5], h[4], h[5], h[2];
-        const Matrix3d along = Matrix3d::Identity() - p.normal * p.normal.transpose();
-        p.curvature = -along * hessian * along / gradient.norm();
+        p.curvature = curvature(f, p.point);
         return p;
     };
     return ribbon;

@@ -61,6 +61,17 @@ ValueAndGradient evaluate(const Polynomial<double>& p, const Eigen::Vector3d& x)
     return result;
 }
 
+Eigen::Matrix3d curvature(const Polynomial<double>& p, const Eigen::Vector3d& x) {
+    const MonomialJets jets = monomial_jets(p.degree, x);
+    const Eigen::Vector3d gradient = jets.first * coefficients(p);
+    const Eigen::Vector3d normal = gradient.normalized();
+    const Eigen::Matrix<double, 6, 1> h = jets.second * coefficients(p);
+    Eigen::Matrix3d hessian;
+    hessian << h[0], h[3], h[4], h[3], h[1], h[5], h[4], h[5], h[2];
+    const Eigen::Matrix3d along = Eigen::Matrix3d::Identity() - normal * normal.transpose();
+    return -along * hessian * along / gradient.norm();
+}
+
 Polynomial<double> moved(const Polynomial<double>& p, const Eigen::Matrix3d& A,
                          const Eigen::Vector3d& b) {
     std::array<Polynomial<double>, 3> by;

@@ -22,6 +22,10 @@ struct ValueAndGradient {
 };
 [[nodiscard]] ValueAndGradient evaluate(const Polynomial<double>& p, const Eigen::Vector3d& x);
 
+/// The second fundamental form of the level set p = const through x, as in RibbonPoint: for the
+/// normal along the gradient.
+[[nodiscard]] Eigen::Matrix3d curvature(const Polynomial<double>& p, const Eigen::Vector3d& x);
+
 /// p(A x + b)
 [[nodiscard]] Polynomial<double> moved(const Polynomial<double>& p, const Eigen::Matrix3d& A,
                                        const Eigen::Vector3d& b);

@@ -2,6 +2,8 @@
 
 #include <Eigen/QR>
 
+#include <cmath>
+#include <limits>
 #include <vector>
 
 namespace suture::algebraic {
@@ -11,73 +13,102 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
+/// How far a condition, with a gradient of length 1, may be missed.
 constexpr double kRounding = 1e-12;
+/// A gradient this near to the span of the active ones depends on them.
+constexpr double kDependent = 1e-10;
+/// For each unknown: far more than conditions enter and leave; rounding could go on for ever.
+constexpr Index kMostSteps = 50;
 
-VectorXd solve_passive(const MatrixXd& A, const VectorXd& b, const std::vector<Index>& passive) {
-    const MatrixXd columns = A(Eigen::all, passive);
-    return columns.colPivHouseholderQr().solve(b);
-}
+/// The dual active set method for min |y|^2 / 2 with G y >= h, the rows of G of length 1: y is
+/// always the optimum under the active conditions, whose multipliers are never negative. The most
+/// violated condition enters, others leave where their multiplier would become negative; |y| grows
+/// with every step.
+class DualActiveSet {
+  public:
+    DualActiveSet(const MatrixXd& G, const VectorXd& h)
+        : G_(G), h_(h), y_(VectorXd::Zero(G.cols())) {}
 
-/// min |A y - b| with y >= 0 (Lawson & Hanson, algorithm NNLS).
-VectorXd nonnegative_least_squares(const MatrixXd& A, const VectorXd& b) {
-    VectorXd y = VectorXd::Zero(A.cols());
-    std::vector<Index> passive;
-    std::vector<bool> is_passive(static_cast<std::size_t>(A.cols()), false);
-    const Index most_steps = 3 * A.cols();
-    for (Index step = 0; step < most_steps; ++step) {
-        VectorXd w = A.transpose() * (b - A * y);
-        for (const Index i : passive) {
-            w[i] = 0.0;
-        }
-        Index enter = 0;
-        if (w.maxCoeff(&enter) <= kRounding || is_passive[static_cast<std::size_t>(enter)]) {
-            break;
-        }
-        passive.push_back(enter);
-        is_passive[static_cast<std::size_t>(enter)] = true;
-        VectorXd z = solve_passive(A, b, passive);
-        while (z.size() > 0 && z.minCoeff() <= 0.0) {
-            double alpha = 1.0;
-            for (std::size_t k = 0; k < passive.size(); ++k) {
-                const auto n = static_cast<Index>(k);
-                if (z[n] <= 0.0) {
-                    alpha = std::min(alpha, y[passive[k]] / (y[passive[k]] - z[n]));
-                }
+    std::optional<VectorXd> solve(const Progress& progress) {
+        for (;;) {
+            Index worst = 0;
+            const double violation = (h_ - G_ * y_).maxCoeff(&worst);
+            if (violation <= kRounding * (1.0 + y_.norm())) {
+                return y_;
             }
-            std::vector<Index> kept;
-            for (std::size_t k = 0; k < passive.size(); ++k) {
-                const Index i = passive[k];
-                y[i] += alpha * (z[static_cast<Index>(k)] - y[i]);
-                if (y[i] > kRounding) {
-                    kept.push_back(i);
-                } else {
-                    y[i] = 0.0;
-                    is_passive[static_cast<std::size_t>(i)] = false;
-                }
+            if (progress.cancelled() || steps_ > kMostSteps * G_.cols() || !enter(worst)) {
+                return std::nullopt;
             }
-            passive = kept;
-            z = passive.empty() ? VectorXd() : solve_passive(A, b, passive);
-        }
-        y.setZero();
-        for (std::size_t k = 0; k < passive.size(); ++k) {
-            y[passive[k]] = z[static_cast<Index>(k)];
         }
     }
-    return y;
-}
+
+  private:
+    const MatrixXd& G_;
+    const VectorXd& h_;
+    VectorXd y_;
+    std::vector<Index> active_;
+    std::vector<double> multipliers_;
+    Index steps_ = 0;
+
+    void leave(std::size_t k) {
+        active_.erase(active_.begin() + static_cast<std::ptrdiff_t>(k));
+        multipliers_.erase(multipliers_.begin() + static_cast<std::ptrdiff_t>(k));
+    }
+
+    /// Moves until the condition holds; false if it contradicts the active ones.
+    bool enter(Index entering) {
+        const VectorXd g = G_.row(entering).transpose();
+        double own = 0.0;  // its multiplier
+        for (;; ++steps_) {
+            // g = N r + z, z perpendicular to the active gradients N.
+            VectorXd r(0);
+            VectorXd z = g;
+            if (!active_.empty()) {
+                const MatrixXd N = G_(active_, Eigen::all).transpose();
+                r = N.householderQr().solve(g);
+                z -= N * r;
+            }
+            double step = std::numeric_limits<double>::infinity();
+            std::size_t leaving = 0;
+            for (std::size_t k = 0; k < active_.size(); ++k) {
+                const double rate = r[static_cast<Index>(k)];
+                if (rate > 0.0 && multipliers_[k] / rate < step) {
+                    step = multipliers_[k] / rate;
+                    leaving = k;
+                }
+            }
+            const bool moves = z.norm() > kDependent;
+            const double full = moves ? (h_[entering] - g.dot(y_)) / z.squaredNorm()
+                                      : std::numeric_limits<double>::infinity();
+            if (!moves && !std::isfinite(step)) {
+                return false;
+            }
+            const double t = std::min(step, full);
+            if (moves) {
+                y_ += t * z;
+            }
+            own += t;
+            for (std::size_t k = 0; k < active_.size(); ++k) {
+                multipliers_[k] -= t * r[static_cast<Index>(k)];
+            }
+            if (full <= step) {
+                active_.push_back(entering);
+                multipliers_.push_back(own);
+                return true;
+            }
+            leave(leaving);
+        }
+    }
+};
 
 }  // namespace
 
-std::optional<VectorXd> least_distance(const MatrixXd& G, const VectorXd& h) {
-    const Index n = G.cols();
-    MatrixXd E(n + 1, G.rows());
-    E << G.transpose(), h.transpose();
-    const VectorXd f = VectorXd::Unit(n + 1, n);
-    const VectorXd r = E * nonnegative_least_squares(E, f) - f;
-    if (r.norm() <= std::sqrt(kRounding) || !(r[n] < 0.0)) {
-        return std::nullopt;
-    }
-    return VectorXd(r.head(n) / -r[n]);
+std::optional<VectorXd> least_distance(const MatrixXd& G, const VectorXd& h,
+                                       const Progress& progress) {
+    const VectorXd lengths = G.rowwise().norm().cwiseMax(std::numeric_limits<double>::min());
+    const MatrixXd rows = lengths.cwiseInverse().asDiagonal() * G;
+    const VectorXd right = h.cwiseQuotient(lengths);
+    return DualActiveSet(rows, right).solve(progress);
 }
 
 }  // namespace suture::algebraic

@@ -47,7 +47,8 @@ Member::Member(const Space& space, const std::vector<GuideSample>& guide,
 }
 
 std::optional<VectorXd> Member::best_under(const std::vector<SheetCondition>& conditions,
-                                           double sign, double margin) const {
+                                           double sign, double margin,
+                                           const Progress& progress) const {
     const int d = space_.degree;
     const int layer = layer_size(d);
     const int block = monomial_count(d);
@@ -74,7 +75,7 @@ std::optional<VectorXd> Member::best_under(const std::vector<SheetCondition>& co
     // x = best + L^-T y makes the objective |y|^2.
     const auto L = factor_.triangularView<Eigen::Lower>();
     const MatrixXd G = L.solve(K.transpose()).transpose();
-    const auto y = least_distance(G, missing);
+    const auto y = least_distance(G, missing, progress);
     if (!y) {
         return std::nullopt;
     }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "suture/base/progress.h"
 #include "suture/fill/algebraic/frustum.h"
 #include "suture/fill/algebraic/space.h"
 
@@ -44,7 +45,8 @@ class Member {
     ///
     /// Input  sign: +1 if the sheets' normals point away from the frusta's centre.
     [[nodiscard]] std::optional<Eigen::VectorXd> best_under(
-        const std::vector<SheetCondition>& conditions, double sign, double margin) const;
+        const std::vector<SheetCondition>& conditions, double sign, double margin,
+        const Progress& progress) const;
 
   private:
     const Space& space_;

@@ -1,5 +1,6 @@
 #include "suture/fill/algebraic/solution.h"
 
+#include "suture/fill/algebraic/corners.h"
 #include "suture/fill/algebraic/jets.h"
 #include "suture/fill/algebraic/member.h"
 #include "suture/fill/algebraic/space.h"
@@ -22,6 +23,10 @@ constexpr double kBand = 0.06;
 /// How often a sector is quartered into bands, and a band for its proof.
 constexpr int kQuarterings = 2;
 constexpr int kProofDepth = 3;
+/// A band is laid around the guide by this many steps along its triangle's sides, where the guide
+/// is seen at an angle with at least this sine.
+constexpr int kAcrossBand = 4;
+constexpr double kGrazing = 0.05;
 /// How far Bernstein coefficients keep away from zero.
 constexpr double kMargin = 1e-6;
 /// A member this near to the guide is taken; else a higher degree may come nearer.
@@ -131,25 +136,41 @@ class Division {
         }
     }
 
+    /// Where the ray along d meets the guide, in lengths of d: its tangent plane at the point whose
+    /// ray is nearest.
+    [[nodiscard]] double on_guide(const Vector3d& d) const {
+        double nearest = -INFINITY;
+        double t = 0.0;
+        for (const GuidePoint& g : problem_.guide) {
+            const Vector3d from_centre = g.point - problem_.view.centre;
+            const double cosine = from_centre.dot(d) / from_centre.norm();
+            const double across = g.normal.dot(d);
+            if (cosine > nearest && std::abs(across) > kGrazing * d.norm()) {
+                nearest = cosine;
+                t = g.normal.dot(from_centre) / across;
+            }
+        }
+        return t;
+    }
+
+    /// The frustum of these rays on both sides of the guide. Its triangle stands on the guide, so
+    /// that the layers follow it.
     void add_band(int s, Frustum part) {
-        // The guide's points in the triangle, or near it where there are none.
+        for (int c = 0; c < 3; ++c) {
+            part.directions.col(c) *= on_guide(part.directions.col(c));
+        }
         double low = INFINITY;
         double high = -INFINITY;
         double sum = 0.0;
         int count = 0;
-        for (double reach = 0.1; count < 3 && reach < 10.0; reach *= 2.0) {
-            low = INFINITY;
-            high = -INFINITY;
-            sum = 0.0;
-            count = 0;
-            for (const GuidePoint& g : problem_.guide) {
-                const OnRay at = on_ray(part.directions, g.point - problem_.view.centre);
-                if (at.t > 0.0 && at.b.minCoeff() > -reach) {
-                    low = std::min(low, at.t);
-                    high = std::max(high, at.t);
-                    sum += at.t;
-                    ++count;
-                }
+        for (int i = 0; i <= kAcrossBand; ++i) {
+            for (int j = 0; i + j <= kAcrossBand; ++j, ++count) {
+                const Vector3d b =
+                    Vector3d(kAcrossBand - i - j, i, j) / static_cast<double>(kAcrossBand);
+                const double t = on_guide(direction(part.directions, b));
+                low = std::min(low, t);
+                high = std::max(high, t);
+                sum += t;
             }
         }
         const double slack = kBand / direction(part.directions, Vector3d::Constant(1.0 / 3)).norm();
@@ -178,7 +199,7 @@ class Candidate {
     }
 
     /// The best member, or why there is none.
-    Result<Solution> find() {
+    Result<Solution> find(const Progress& progress) {
         if (solution_.polynomials == 0) {
             return fail(ErrorCode::Refused, "no solution");
         }
@@ -189,7 +210,8 @@ class Candidate {
                         solution_.deviation);
         }
         if (!prove_sheet()) {
-            const auto conditioned = member.best_under(conditions(), problem_.view.sign, kMargin);
+            const auto conditioned =
+                member.best_under(conditions(), problem_.view.sign, kMargin, progress);
             if (!conditioned) {
                 return fail(ErrorCode::Refused, "no member with a provably single sheet");
             }
@@ -270,6 +292,9 @@ Matrix3d directions_of(const Sector& sector, const std::vector<Vector3d>& rays) 
 
 Result<Solution> find_solution(const Problem& problem, const Search& search,
                                const Progress& progress) {
+    if (const auto agreeing = expect_agreeing_corners(problem); !agreeing) {
+        return tl::unexpected(agreeing.error());
+    }
     int lowest = problem.interface_k + 1;
     for (const Side<double>& side : problem.sides) {
         lowest = std::max({lowest, side.f.degree, side.k + 1});
@@ -296,7 +321,7 @@ Result<Solution> find_solution(const Problem& problem, const Search& search,
             progress(static_cast<double>(degree - from) / (to - from + 1.0), name);
             const auto found =
                 Candidate(problem, partitions[p], divisions[p], degree, search.rank_tolerance)
-                    .find();
+                    .find(progress);
             if (!found) {
                 tried.push_back(fmt::format("{}: {}", name, found.error().message));
                 continue;

@@ -66,7 +66,9 @@ struct OnRay {
 /// The first degree and partition that has a member with one proven sheet near the guide: the
 /// degree is raised and the partition refined until there is one.
 ///
-/// Refuses  where none up to the highest degree has, with what was tried.
+/// Refuses  corners in which no regular surface has the neighbours' curvatures; where no member up
+/// to
+///          the highest degree has one sheet, with what was tried.
 /// Source   Chen, Chen, Deng, Feng 2000, section 3; the choice inside the solutions is our own.
 [[nodiscard]] Result<Solution> find_solution(const Problem& problem, const Search& search,
                                              const Progress& progress);

@@ -1,5 +1,6 @@
 #include "suture/fill/algebraic/member.h"
 
+#include "suture/fill/algebraic/interpolate.h"
 #include "suture/fill/algebraic/jets.h"
 #include "suture/fill/algebraic/least_distance.h"
 
@@ -151,13 +152,73 @@ TEST(Member, FollowsASphereWithCubicsInSevenCells) {
     EXPECT_TRUE(proven(corner, cells, 2));  // single sheets without asking for them
 }
 
+/// The largest |g| on B-spline patches of one degree over a third of each sector, between a corner
+/// and the centroid: the construction of the prototype below.
+double largest_value_on_patches(const Corner& corner, const std::vector<Polynomial<double>>& cells,
+                                int degree, int spans) {
+    double most = 0.0;
+    for (const Sector& sector : corner.partition.sectors) {
+        const Polynomial<double>& g = cells[static_cast<std::size_t>(sector.cell)];
+        for (std::size_t c = 0; c < 3; ++c) {
+            const auto ray = [&](std::size_t k) {
+                return corner.rays[static_cast<std::size_t>(sector.rays[(c + k) % 3])];
+            };
+            const Vector3d a = ray(0);
+            const Vector3d b = 0.5 * (ray(0) + ray(1));
+            const Vector3d d = 0.5 * (ray(0) + ray(2));
+            const Vector3d m = (ray(0) + ray(1) + ray(2)) / 3.0;
+            const SplineSurface surface = interpolate(
+                [&](double u, double v) -> Vector3d {
+                    const Vector3d on =
+                        (1 - u) * (1 - v) * a + u * (1 - v) * b + u * v * m + (1 - u) * v * d;
+                    return distance_on(g, on) * on.normalized();
+                },
+                degree, spans);
+            const int steps = 3 * spans + 1;  // between the sites
+            for (int i = 0; i <= steps; ++i) {
+                for (int j = 0; j <= steps; ++j) {
+                    const Vector3d p = evaluate(surface, static_cast<double>(i) / steps,
+                                                static_cast<double>(j) / steps)
+                                           .point;
+                    most = std::max(most, std::abs(evaluate(g, p).value));
+                }
+            }
+        }
+    }
+    return most;
+}
+
+TEST(Interpolate, ReachesTheCubicWithOrdersFourAndSix) {
+    const Corner corner = corner_of(with_inner_cells(3), 3);
+    const auto cells = cells_of(corner, Member(corner.space, sphere_guide(corner), {}).best());
+    const auto errors = [&](int degree) {
+        std::vector<double> result;
+        for (const int spans : {2, 4, 8, 16}) {
+            result.push_back(largest_value_on_patches(corner, cells, degree, spans));
+        }
+        return result;
+    };
+    // Of an independent prototype; its member and its samples differ a little.
+    constexpr double kAlike = 2.0;
+    const auto expect_like = [&](const std::vector<double>& found,
+                                 const std::vector<double>& golden, int order) {
+        for (std::size_t n = 0; n < golden.size(); ++n) {
+            EXPECT_LT(found[n], kAlike * golden[n]) << n;
+            EXPECT_GT(found[n], golden[n] / kAlike) << n;
+        }
+        EXPECT_NEAR(std::log2(found[2] / found[3]), order, 0.7);
+    };
+    expect_like(errors(3), {4.9e-4, 4.3e-5, 5.8e-6, 3.8e-7}, 4);
+    expect_like(errors(5), {9.5e-6, 1.7e-6, 5.5e-8, 8.5e-10}, 6);
+}
+
 TEST(Member, NeedsConditionsForASingleSheetOfQuartics) {
     const Corner corner = corner_of(umbrella(3), 4);
     EXPECT_EQ(corner.space.rank, 77);
     EXPECT_EQ(corner.space.basis.cols(), 10);
     const Member member(corner.space, sphere_guide(corner), {});
     EXPECT_FALSE(proven(corner, cells_of(corner, member.best()), 3));
-    const auto x = member.best_under(tetrahedra(corner, 3), 1.0, 1e-6);
+    const auto x = member.best_under(tetrahedra(corner, 3), 1.0, 1e-6, Progress{});
     ASSERT_TRUE(x);
     const auto cells = cells_of(corner, *x);
     EXPECT_TRUE(proven(corner, cells, 3));
@@ -194,12 +255,12 @@ TEST(Member, JoinsTheNeighboursAndItselfExactly) {
 TEST(LeastDistance, FindsTheNearestPointOfAPolytope) {
     Eigen::MatrixXd G(3, 2);
     G << 1.0, 1.0, 1.0, 0.0, 0.0, 1.0;
-    const auto x = least_distance(G, VectorXd{{2.0, 0.5, 1.2}});
+    const auto x = least_distance(G, VectorXd{{2.0, 0.5, 1.2}}, Progress{});
     ASSERT_TRUE(x);
     EXPECT_NEAR((*x)[0], 0.8, 1e-10);
     EXPECT_NEAR((*x)[1], 1.2, 1e-10);
     G.row(2) << -1.0, -1.0;
-    EXPECT_FALSE(least_distance(G, VectorXd{{2.0, 0.5, -1.0}}));
+    EXPECT_FALSE(least_distance(G, VectorXd{{2.0, 0.5, -1.0}}, Progress{}));
 }
 
 TEST(Frustum, ReproducesThePolynomialByDeCasteljau) {
