@@ -15,11 +15,11 @@ using Eigen::MatrixXd;
 
 /// Rounds of halving intervals, and breaks that come of it, at most.
 constexpr int kRounds = 10;
-constexpr std::size_t kMostNewBreaks = 100;
+constexpr std::size_t kMostNewBreaks = 200;
 
 /// From this round on, an error that does not fall to this share of the last one's is no matter of
 /// knots: the function is not smooth.
-constexpr int kSettled = 4;
+constexpr int kSettled = 6;
 constexpr double kFall = 0.8;
 
 /// Samples of each interval to measure the error at, as parts of it. Off-centre: the error of an

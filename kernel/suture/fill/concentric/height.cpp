@@ -49,8 +49,9 @@ constexpr int kFirstSamples = 96;
 constexpr int kMostSamples = 384;
 constexpr int kLeastOfSide = 6;
 
-/// The field is finer than the wanted angle by this factor.
-constexpr double kShare = 0.1;
+/// How far the field may miss the neighbours, as a share of the wanted angle. Beyond that, more
+/// samples would follow the errors of the model's own edges.
+constexpr double kShare = 1.0;
 
 /// Neighbours whose normals differ by more at a corner cannot both be met there.
 constexpr double kSameNormal = radians(0.05);
