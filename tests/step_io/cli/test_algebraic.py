@@ -86,7 +86,7 @@ class Problems(Case):
             check = run("check", out, "--g1", "0.01", "--json").json
             inner = [edge for edge in check["edges"] if edge["class"] != "sharp"]
             self.assertEqual(check["shape"]["free_edges"], 3)
-            self.assertGreater(len(inner), 9)
+            self.assertEqual(len(inner), 9)
             self.assertLess(max(edge["max_angle_deg"] for edge in inner), 0.01)
             self.assertLess(max(edge["max_gap"] for edge in inner), 1e-6)
 

@@ -3,6 +3,7 @@
 #include "kernel/core/algebraic/table_corner.h"
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 
 namespace suture::algebraic {
@@ -66,6 +67,38 @@ TEST(ExactSpace, HasTheRanksOfThreeCylinders) {
     EXPECT_EQ(exact_rank(table::system(umbrella(3), table::cylinders(), 4)), 74);
     EXPECT_EQ(exact_rank(table::system(with_inner_cells(3), table::cylinders(), 3)), 51);
     EXPECT_EQ(exact_rank(table::system(umbrella(3), table::cylinders(), 3)), 32);
+}
+
+/// Whether a polynomial's gradient vanishes at a point where it is zero itself: the shifted
+/// polynomial has no linear part.
+bool is_singular_at(const Polynomial<Rational>& p, const Point<Rational>& at) {
+    std::array<Polynomial<Rational>, 3> by;
+    for (std::size_t c = 0; c < 3; ++c) {
+        std::array<Rational, 3> axis{0, 0, 0};
+        axis[c] = 1;
+        by[c] = Polynomial<Rational>::linear(axis, at[c]);
+    }
+    const Polynomial<Rational> shifted = substitute(p, by);
+    return shifted.coefficients.size() < 4 ||
+           std::all_of(shifted.coefficients.begin(), shifted.coefficients.begin() + 4,
+                       [](const Rational& c) { return c == 0; });
+}
+
+TEST(ExactSpace, IsSingularAtTheTablesCornersWithCurvature) {
+    // The cones and the cylinder have different curvatures there.
+    const int degree = 5;
+    const ExactSpace space = solve_exactly(table::system(umbrella(3), table::sides(2), degree, 2));
+    ASSERT_FALSE(space.basis.empty());
+    for (const auto& member : space.basis) {
+        const auto cells = split_cells(member, degree);
+        for (std::size_t i = 0; i < 3; ++i) {
+            EXPECT_TRUE(is_singular_at(cells[i], table::kCorners[i])) << i;
+            EXPECT_TRUE(is_singular_at(cells[(i + 2) % 3], table::kCorners[i])) << i;
+        }
+    }
+    // With tangency there are regular ones.
+    const ExactSpace tangent = solve_exactly(table::system(umbrella(3), table::sides(), 3));
+    EXPECT_FALSE(is_singular_at(split_cells(tangent.basis.front(), 3)[0], table::kCorners[0]));
 }
 
 }  // namespace
