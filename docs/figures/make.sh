@@ -40,6 +40,7 @@ beside "$work/half_round.step" zebra_half_round --view 1,-0.6,0.5 --near 0,0,30 
 # The maps of docs/methods/concentric.md, by a program that the tests build.
 build=${SUTURE_BUILD:-build/release}
 "$build/tests/kernel/core/concentric/suture_concentric_maps" | docs/figures/concentric.py docs/figures
+docs/figures/concentric_caps.py ./suture docs/figures/concentric_caps.png
 
 # Those of docs/methods/tube.md.
 docs/figures/tube.sh

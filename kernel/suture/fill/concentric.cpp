@@ -66,7 +66,10 @@ FillResult fill_flat(const Boundary& boundary, concentric::ConcentricCurve& axis
             lifted.col(k) = boundary.lifted(row.poles.col(k));
         }
         row.poles = std::move(lifted);
-        return concentric::sweep(region.side, row);
+        SplineCurve side = region.side;
+        concentric::make_compatible(side, row);
+        concentric::collapse_rests(row, region.courses, vertex);
+        return concentric::from_rows({side, row}, {0.0, 0.0, 1.0, 1.0});
     };
     FillResult result = concentric::assemble(regions, surface, vertex);
     for (Patch& patch : result.patches) {
@@ -84,9 +87,6 @@ Result<FillResult> fill_curved(const Hole& hole, const Boundary& boundary,
     for (int i = 0; i < boundary.count(); ++i) {
         concentric::insert_node(axis, i);
     }
-    if (auto smooth = concentric::make_restful(axis, boundary.planar); !smooth) {
-        return tl::unexpected(named_after_sides(smooth.error(), hole));
-    }
     const std::vector<Region> regions = concentric::regions_of(boundary, axis, single);
     auto lift = concentric::Lift::make(hole, boundary, axis, tolerance);
     if (!lift) {
@@ -98,6 +98,12 @@ Result<FillResult> fill_curved(const Hole& hole, const Boundary& boundary,
     for (Patch& patch : result.patches) {
         patch.exact = false;
         patch.fit_error = std::max(boundary.error, lift->error());
+    }
+    if (lift->error() > lift->accuracy()) {
+        result.notes.push_back(fmt::format(
+            "the lifted surface is fitted to within {:.2g} only (wanted {:.2g}): its faces "
+            "may meet at larger angles than wanted",
+            lift->error(), lift->accuracy()));
     }
     return result;
 }
@@ -138,8 +144,9 @@ Result<FillResult> fill_concentric(const Hole& hole, const FillOptions& options)
     concentric::MapOptions map_options;
     map_options.salience = find_number(options.own, "salience").value_or(kSalience);
     map_options.flatness = find_number(options.own, "flatness").value_or(kFlatness);
-    // OCCT reads no border from STEP of which a part is one point.
+    // OCCT does not read a face from STEP whose border meets itself in points at such places.
     map_options.rest_between_corners = !single;
+    map_options.rest_at_tips = !single;
     auto map = concentric::concentric_map(boundary->planar, map_options);
     if (!map) {
         return tl::unexpected(named_after_sides(map.error(), hole));

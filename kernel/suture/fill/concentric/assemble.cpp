@@ -162,6 +162,18 @@ std::vector<Region> regions_of(const Boundary& boundary, ConcentricCurve& axis, 
     return regions;
 }
 
+void collapse_rests(SplineCurve& row, const std::vector<Course>& courses,
+                    const std::function<Eigen::Vector3d(int node)>& vertex) {
+    for (const Course& course : courses) {
+        for (int k = 0; course.start == course.end && k < row.count(); ++k) {
+            const auto first = row.knots.begin() + k + 1;
+            if (*first >= course.from && *(first + row.degree - 1) <= course.to) {
+                row.poles.col(k) = vertex(course.start);
+            }
+        }
+    }
+}
+
 FillResult assemble(const std::vector<Region>& regions,
                     const std::function<SplineSurface(const Region&)>& surface,
                     const std::function<Eigen::Vector3d(int node)>& vertex) {

@@ -25,6 +25,13 @@ struct Region {
 [[nodiscard]] std::vector<Region> regions_of(const Boundary& boundary, ConcentricCurve& axis,
                                              bool single);
 
+/// Makes a region's last row of poles, in space, exactly one point where c rests: rounding would
+/// give the surface some direction there, and a normal by chance.
+///
+/// Input    row: a spline with kinks where courses end; vertex: a node in space.
+void collapse_rests(SplineCurve& row, const std::vector<Course>& courses,
+                    const std::function<Eigen::Vector3d(int node)>& vertex);
+
 /// Faces for the regions, which share their seams and the edges of the axis: a seam leads from each
 /// corner of the hole to the axis, and every edge of the axis has a face, or a part of one, on
 /// either side.

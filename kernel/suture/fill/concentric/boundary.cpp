@@ -31,7 +31,7 @@ Result<SplineCurve> side_of(const Ribbon& ribbon, int index, double accuracy, do
         return curve;
     }
     const auto at = [&](double s) -> Eigen::VectorXd { return ribbon.at(s - index).point; };
-    FittedCurve fit = fit_curve(at, {1.0 * index, index + 1.0}, kFitDegree, accuracy);
+    FittedCurve fit = fit_curve(at, {{1.0 * index}, {index + 1.0}}, kFitDegree, accuracy);
     if (!(fit.error <= kMostMiss * accuracy)) {
         return fail(ErrorCode::Refused,
                     "{} is no smooth curve: a B-spline comes within {:.3g} only", name_of(ribbon),

@@ -150,16 +150,11 @@ Eigen::Vector2d BoundaryPieces::at(double s) const {
 }
 
 Certificate certify(const BoundaryPieces& boundary, const ConcentricCurve& curve,
-                    const Course& course, Step step) {
+                    const Course& course) {
     const Eigen::Vector2d a = curve.nodes[static_cast<std::size_t>(course.start)];
     const Eigen::Vector2d b = curve.nodes[static_cast<std::size_t>(course.end)];
-    BezierPiece whole{course.from, course.to, Eigen::MatrixXd(2, step == Step::Even ? 2 : 4)};
-    if (step == Step::Even) {
-        whole.poles << a, b;
-    } else {
-        const Eigen::Vector2d first = kRestingSpeed / 3.0 * (b - a);
-        whole.poles << a, a + first, b - first, b;
-    }
+    BezierPiece whole{course.from, course.to, Eigen::MatrixXd(2, 2)};
+    whole.poles << a, b;
     for (const BezierPiece& gamma : boundary.between(course.from, course.to)) {
         const BezierPiece c = part_of(whole, gamma.from, gamma.to);
         if (certify(gamma, c, boundary.slack()) == Certificate::Folded) {
@@ -169,12 +164,11 @@ Certificate certify(const BoundaryPieces& boundary, const ConcentricCurve& curve
     return Certificate::Positive;
 }
 
-std::vector<int> folded_courses(const BoundaryPieces& boundary, const ConcentricCurve& curve,
-                                Step step) {
+std::vector<int> folded_courses(const BoundaryPieces& boundary, const ConcentricCurve& curve) {
     std::vector<int> folded;
     const std::vector<Course> all = courses(curve);
     for (std::size_t k = 0; k < all.size(); ++k) {
-        if (certify(boundary, curve, all[k], step) == Certificate::Folded) {
+        if (certify(boundary, curve, all[k]) == Certificate::Folded) {
             folded.push_back(static_cast<int>(k));
         }
     }

@@ -50,22 +50,12 @@ class BoundaryPieces {
     double slack_ = 0.0;
 };
 
-/// How the concentric curve goes from one node to the next.
-enum class Step {
-    Even,    ///< straight in the parameter
-    Resting  ///< as a cubic that nearly rests at both nodes, where c turns: nearly smooth
-};
-
-/// The speed of a resting step at its ends, as a share of an even one's. Zero would make c smooth,
-/// but leave the surface without a normal at the axis' nodes.
-inline constexpr double kRestingSpeed = 0.1;
-
 /// Certifies a piece of the concentric curve from its start to its end.
 [[nodiscard]] Certificate certify(const BoundaryPieces& boundary, const ConcentricCurve& curve,
-                                  const Course& course, Step step = Step::Even);
+                                  const Course& course);
 
 /// All courses that are not proved positive, as indices of `courses(curve)`.
 [[nodiscard]] std::vector<int> folded_courses(const BoundaryPieces& boundary,
-                                              const ConcentricCurve& curve, Step step = Step::Even);
+                                              const ConcentricCurve& curve);
 
 }  // namespace suture::concentric

@@ -63,6 +63,9 @@ Eigen::Vector2d evaluate(const ConcentricCurve& curve, double s) {
 }
 
 int insert_node(ConcentricCurve& curve, double s) {
+    if (curve.count() == 1) {
+        return curve.stops.front().node;  // c rests there all the time
+    }
     const auto [k, at] = stop_before(curve, s);
     const Stop here = curve.stop(k);
     const Stop next = curve.stop(k + 1);

@@ -6,29 +6,46 @@
 #include <Eigen/SparseLU>
 
 #include <algorithm>
+#include <cmath>
 
 namespace suture::concentric {
 namespace {
 
 using Eigen::MatrixXd;
 
-constexpr int kMostSpans = 128;
+/// Rounds of halving intervals, and breaks that come of it, at most.
+constexpr int kRounds = 10;
+constexpr std::size_t kMostNewBreaks = 200;
 
-/// Samples per span to measure the error at.
-constexpr int kProbes = 3;
+/// From this round on, an error that does not fall to this share of the last one's is no matter of
+/// knots: the function is not smooth.
+constexpr int kSettled = 6;
+constexpr double kFall = 0.8;
+
+/// Samples of each interval to measure the error at, as parts of it. Off-centre: the error of an
+/// interpolant can vanish in the middle by symmetry.
+constexpr double kProbes[] = {0.13, 0.47, 0.8};
+
+}  // namespace
+
+std::vector<Break> sorted(std::vector<Break> breaks) {
+    std::sort(breaks.begin(), breaks.end(), [](const Break& a, const Break& b) {
+        return a.at < b.at || (a.at == b.at && a.smooth < b.smooth);
+    });
+    breaks.erase(std::unique(breaks.begin(), breaks.end(),
+                             [](const Break& a, const Break& b) { return a.at == b.at; }),
+                 breaks.end());
+    return breaks;
+}
 
 SplineCurve interpolated(const std::function<Eigen::VectorXd(double)>& at,
-                         const std::vector<double>& breaks, int degree, int spans) {
-    const double from = breaks.front();
-    const double to = breaks.back();
+                         const std::vector<Break>& breaks, int degree) {
+    const double from = breaks.front().at;
+    const double to = breaks.back().at;
     SplineCurve curve{degree, std::vector<double>(static_cast<std::size_t>(degree + 1), from), {}};
     for (std::size_t i = 1; i < breaks.size(); ++i) {
-        for (int k = 1; k < spans; ++k) {
-            curve.knots.push_back(breaks[i - 1] + (breaks[i] - breaks[i - 1]) * k / spans);
-        }
-        const bool last = i + 1 == breaks.size();
-        curve.knots.insert(curve.knots.end(), static_cast<std::size_t>(degree + (last ? 1 : 0)),
-                           breaks[i]);
+        const int times = i + 1 == breaks.size() ? degree + 1 : degree - breaks[i].smooth;
+        curve.knots.insert(curve.knots.end(), static_cast<std::size_t>(times), breaks[i].at);
     }
     const auto n = static_cast<int>(curve.knots.size()) - degree - 1;
     curve.poles.resize(at(from).size(), n);
@@ -54,29 +71,36 @@ SplineCurve interpolated(const std::function<Eigen::VectorXd(double)>& at,
     return curve;
 }
 
-}  // namespace
-
-FittedCurve fit_curve(const std::function<Eigen::VectorXd(double)>& at,
-                      const std::vector<double>& breaks, int degree, double accuracy) {
+FittedCurve fit_curve(const std::function<Eigen::VectorXd(double)>& at, std::vector<Break> breaks,
+                      int degree, double accuracy) {
     FittedCurve best;
-    for (int spans = 1; spans <= kMostSpans; spans *= 2) {
-        FittedCurve fit{interpolated(at, breaks, degree, spans), 0.0};
+    best.error = INFINITY;
+    const std::size_t most = breaks.size() + kMostNewBreaks;
+    for (int round = 0;; ++round) {
+        FittedCurve fit{interpolated(at, breaks, degree), 0.0};
+        std::vector<Break> finer = breaks;
         for (std::size_t i = 1; i < breaks.size(); ++i) {
-            const double step = (breaks[i] - breaks[i - 1]) / (kProbes * spans);
-            for (int k = 0; k < kProbes * spans; ++k) {
-                // Off-centre: the error of an interpolant can vanish in the middle by symmetry.
-                const double t = breaks[i - 1] + (k + 0.4) * step;
-                fit.error = std::max(fit.error, (evaluate(fit.curve, t).col(0) - at(t)).norm());
+            const double from = breaks[i - 1].at;
+            const double length = breaks[i].at - from;
+            double error = 0.0;
+            for (const double part : kProbes) {
+                const double t = from + part * length;
+                error = std::max(error, (evaluate(fit.curve, t).col(0) - at(t)).norm());
             }
+            if (error > accuracy) {
+                finer.push_back({from + 0.5 * length, degree - 1});
+            }
+            fit.error = std::max(fit.error, error);
         }
-        if (spans == 1 || fit.error < best.error) {
+        const bool settled = round >= kSettled && fit.error > kFall * best.error;
+        if (fit.error < best.error) {
             best = std::move(fit);
         }
-        if (best.error <= accuracy) {
-            break;
+        if (finer.size() == breaks.size() || finer.size() > most || settled || round == kRounds) {
+            return best;
         }
+        breaks = sorted(std::move(finer));
     }
-    return best;
 }
 
 }  // namespace suture::concentric

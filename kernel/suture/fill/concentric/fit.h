@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 
 #include <functional>
+#include <vector>
 
 namespace suture::concentric {
 
@@ -14,13 +15,26 @@ struct FittedCurve {
     double error = 0.0;  ///< largest distance at samples between the fitted ones
 };
 
-/// Interpolates at the Greville points of a clamped knot vector, with evenly spread knots between
-/// the breaks, twice as many until the error is small enough. The ends are met exactly.
+/// Where a function need not be smooth, or where a spline has a knot for another reason.
+struct Break {
+    double at = 0.0;
+    int smooth = 0;  ///< so many derivatives are continuous there
+};
+
+/// Breaks by increasing parameter, each once: as smooth as the least smooth of them.
+[[nodiscard]] std::vector<Break> sorted(std::vector<Break> breaks);
+
+/// The spline with these breaks that interpolates at its Greville points. The ends are met exactly.
 ///
-/// Input    at: smooth between the breaks, of which the first and the last are its domain's ends,
-///          and continuous there.
+/// Input    at: continuous; breaks: the first and the last are its domain's ends.
+[[nodiscard]] SplineCurve interpolated(const std::function<Eigen::VectorXd(double)>& at,
+                                       const std::vector<Break>& breaks, int degree);
+
+/// `interpolated` with further knots in the middle of all intervals whose error is too large, again
+/// and again. What is a polynomial of that degree between breaks is met exactly.
+///
 /// Result   the best one found where the accuracy was out of reach: the error tells.
 [[nodiscard]] FittedCurve fit_curve(const std::function<Eigen::VectorXd(double)>& at,
-                                    const std::vector<double>& breaks, int degree, double accuracy);
+                                    std::vector<Break> breaks, int degree, double accuracy);
 
 }  // namespace suture::concentric

@@ -18,9 +18,6 @@ constexpr double kWidestChord = 0.6;
 /// Shorter spans, as a share of the period, are not halved any more.
 constexpr double kShortestSpan = 1e-6;
 
-/// Halvings of a course that folds when c rests at its ends.
-constexpr int kHalvings = 6;
-
 /// The middles of the knot spans that a predicate picks by their ends.
 template <class Predicate>
 std::vector<double> middles(const ClosedSpline& curve, const Predicate& picked) {
@@ -74,16 +71,18 @@ double largest_radius(const MedialAxis& axis) {
 /// The map of one control polygon, with as few branches as the certificate allows.
 tl::expected<ConcentricCurve, Folds> map_of(const MedialAxis& axis, const Sites& sites,
                                             const BoundaryPieces& boundary,
-                                            const std::vector<double>& corners, double salience) {
+                                            const std::vector<double>& corners,
+                                            const MapOptions& options) {
     for (const double share : {1.0, 0.25}) {
-        if (salience > 0.0) {
-            auto curve = retract(axis, sites, boundary, corners, share * salience);
+        if (options.salience > 0.0) {
+            auto curve = retract(axis, sites, boundary, corners,
+                                 {share * options.salience, options.rest_at_tips});
             if (curve) {
                 return curve;
             }
         }
     }
-    return retract(axis, sites, boundary, corners, 0.0);
+    return retract(axis, sites, boundary, corners, {0.0, options.rest_at_tips});
 }
 
 }  // namespace
@@ -105,7 +104,7 @@ Result<ConcentricMap> concentric_map(const ClosedSpline& curve, const MapOptions
             why = axis.error();
             next = refined_everywhere(map.refined);
         } else {
-            const auto found = map_of(*axis, *sites, boundary, corners, options.salience);
+            const auto found = map_of(*axis, *sites, boundary, corners, options);
             if (found) {
                 map.radius = largest_radius(*axis);
                 map.axis = options.flatness > 0.0 ? simplified(*found, boundary, corners,
@@ -124,26 +123,6 @@ Result<ConcentricMap> concentric_map(const ClosedSpline& curve, const MapOptions
             return tl::unexpected(why);
         }
         map.refined = std::move(next);
-    }
-}
-
-Result<void> make_restful(ConcentricCurve& axis, const ClosedSpline& curve) {
-    const BoundaryPieces boundary(curve);
-    for (int round = 0;; ++round) {
-        const std::vector<Course> all = courses(axis);
-        std::vector<Course> folded;
-        for (const int k : folded_courses(boundary, axis, Step::Resting)) {
-            folded.push_back(all[static_cast<std::size_t>(k)]);
-        }
-        if (folded.empty()) {
-            return {};
-        }
-        if (round == kHalvings) {
-            return fail(ErrorCode::Refused, "the smooth map folds {}", name_of(folded));
-        }
-        for (const Course& course : folded) {
-            insert_node(axis, 0.5 * (course.from + course.to));
-        }
     }
 }
 

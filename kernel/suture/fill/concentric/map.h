@@ -20,6 +20,9 @@ struct MapOptions {
     bool rest_between_corners = true;
     /// How often the control polygon may be refined before the map is refused.
     int refinements = 8;
+    /// Whether c rests where it turns back, wherever the map stays certified. Where it turns at
+    /// once, a spoke runs along the axis, and the surface has no normal there.
+    bool rest_at_tips = false;
 };
 
 /// A concentric map: (1-t) curve(s) + t axis(s).
@@ -41,11 +44,5 @@ struct ConcentricMap {
 ///          is refined until a certificate holds.
 [[nodiscard]] Result<ConcentricMap> concentric_map(const ClosedSpline& curve,
                                                    const MapOptions& options = {});
-
-/// Puts nodes into the courses of a certified axis until its map stays certified when c nearly
-/// rests at every node: the shorter a course, the less that changes it.
-///
-/// Refuses  a map that folds after so many halvings, naming the parameters.
-[[nodiscard]] Result<void> make_restful(ConcentricCurve& axis, const ClosedSpline& curve);
 
 }  // namespace suture::concentric

@@ -159,7 +159,8 @@ class Pruning {
 class Timing {
   public:
     Timing(const MedialAxis& axis, const Sites& sites, const BoundaryPieces& boundary,
-           const std::vector<double>& corners, std::vector<Stay> stays, double least_time)
+           const std::vector<double>& corners, std::vector<Stay> stays, double least_time,
+           bool rest_at_tips)
         : axis_(axis),
           sites_(sites),
           boundary_(boundary),
@@ -169,6 +170,10 @@ class Timing {
           count_(static_cast<int>(axis.walk.size())),
           shares_(sites.vertices.size(), kFirstShare),
           ends_(sites.vertices.size()) {
+        const std::size_t count = stays_.size();
+        for (std::size_t k = 0; rest_at_tips && k < count; ++k) {
+            stays_[k].loose = stays_[(k + 1) % count].node == stays_[(k + count - 1) % count].node;
+        }
         for (int i = 0; i < sites.count(); ++i) {
             const auto k = static_cast<std::size_t>(i);
             const double middle = sites.parameter(i, 0.5);
@@ -381,13 +386,19 @@ class Timing {
 
 tl::expected<ConcentricCurve, Folds> retract(const MedialAxis& axis, const Sites& sites,
                                              const BoundaryPieces& boundary,
-                                             const std::vector<double>& corners, double salience) {
-    const std::vector<Stay> stays = Pruning(axis, sites, salience).stays();
+                                             const std::vector<double>& corners,
+                                             const RetractionOptions& options) {
+    const std::vector<Stay> stays = Pruning(axis, sites, options.salience).stays();
     tl::expected<ConcentricCurve, Folds> found;
-    for (const double least_time : kLeastTimes) {
-        found = Timing(axis, sites, boundary, corners, stays, least_time).find();
-        if (found) {
-            break;
+    for (const bool rest : {true, false}) {
+        for (const double least_time : kLeastTimes) {
+            if (rest && !options.rest_at_tips) {
+                continue;
+            }
+            found = Timing(axis, sites, boundary, corners, stays, least_time, rest).find();
+            if (found) {
+                return found;
+            }
         }
     }
     return found;

@@ -40,19 +40,13 @@ void make_compatible(SplineCurve& a, SplineCurve& b) {
     b = refined(b, knots);
 }
 
-SplineSurface sweep(SplineCurve a, SplineCurve b) {
-    make_compatible(a, b);
-    return from_rows({std::move(a), std::move(b)});
-}
-
-SplineSurface from_rows(const std::vector<SplineCurve>& rows) {
+SplineSurface from_rows(const std::vector<SplineCurve>& rows, std::vector<double> knots_v) {
     const SplineCurve& first = rows.front();
     SplineSurface surface;
     surface.degree_u = first.degree;
-    surface.degree_v = static_cast<int>(rows.size()) - 1;
+    surface.degree_v = static_cast<int>(knots_v.size() - rows.size()) - 1;
     surface.knots_u = first.knots;
-    surface.knots_v.assign(rows.size(), 0.0);
-    surface.knots_v.insert(surface.knots_v.end(), rows.size(), 1.0);
+    surface.knots_v = std::move(knots_v);
     const int n = first.count();
     surface.poles.resize(3, n * static_cast<int>(rows.size()));
     for (std::size_t j = 0; j < rows.size(); ++j) {

@@ -14,15 +14,15 @@ namespace suture::concentric {
                                         const std::vector<Eigen::Vector2d>& nodes);
 
 /// Both curves over the same knots and of the same degree: those of either.
+///
+/// Source   Martin & Cohen 2003, figure 7, steps 6 and 7.
 void make_compatible(SplineCurve& a, SplineCurve& b);
 
-/// The sweep surface (1-t) a(s) + t b(s) of two curves in space: bidegree (p, 1), s along u, t
-/// along v. The control points of `a` are its first row, so that `a` is met exactly.
+/// The surface with these rows of poles along u, all over the same knots, and knots_v of the degree
+/// that fits their number: of two rows a and b the sweep (1-t) a(s) + t b(s).
 ///
-/// Source   Martin & Cohen 2003, figure 7, steps 6 to 8.
-[[nodiscard]] SplineSurface sweep(SplineCurve a, SplineCurve b);
-
-/// The surface with these rows of poles, all over the same knots, as a Bezier form in v on [0,1].
-[[nodiscard]] SplineSurface from_rows(const std::vector<SplineCurve>& rows);
+/// Source   Martin & Cohen 2003, figure 7, step 8.
+[[nodiscard]] SplineSurface from_rows(const std::vector<SplineCurve>& rows,
+                                      std::vector<double> knots_v);
 
 }  // namespace suture::concentric

@@ -115,6 +115,20 @@ Hole opening(const shapes::Points& points, double scale = 1.0) {
     return hole;
 }
 
+/// Within 0.01 degrees along the hole's own edges, 0.02 along all others.
+void expect_smooth(const Hole& hole, double scale) {
+    FillOptions options;
+    options.tolerance.linear *= scale;
+    const auto fill = fill_concentric(hole, options);
+    ASSERT_TRUE(fill) << fill.error().message;
+    const Fit fit = fit_of(hole, *fill);
+    EXPECT_LT(fit.gap, 1e-6 * scale);
+    EXPECT_LT(degrees(fit.angle), 0.01);
+    EXPECT_LT(fit.inner_gap, 1e-6 * scale);
+    EXPECT_LT(degrees(fit.inner_angle), 0.001);
+    EXPECT_LT(degrees(fit.seam_angle), 0.02);
+}
+
 FillOptions with_faces(const std::string& word) {
     FillOptions options;
     options.own["faces"] = {OptionKind::Word, {}, word};
@@ -176,32 +190,70 @@ TEST(FillConcentric, CapsAClosedEdgeWithAPole) {
 }
 
 TEST(FillConcentric, ClosesGentlyCurvedHolesTangentToTheirNeighbours) {
-    struct Case {
-        std::string name;
-        zoo::Surface surface;
-        double seam;  ///< degrees: largest crease along the seams of the corners
-    };
-    const Case cases[] = {{"paraboloid", zoo::graph([](const zoo::Jet& u, const zoo::Jet& v) {
-                               return zoo::Jet(0.3) * u * u + zoo::Jet(0.1) * u * v -
-                                      zoo::Jet(0.2) * v * v;
-                           }),
-                           0.2},
-                          {"saddle", zoo::saddle(0.4), 0.2},
-                          {"wavy", zoo::wavy(0.05, 2.0), 1.0}};
-    for (const Case& c : cases) {
-        SCOPED_TRACE(c.name);
+    const std::pair<std::string, zoo::Surface> surfaces[] = {
+        {"paraboloid", zoo::graph([](const zoo::Jet& u, const zoo::Jet& v) {
+             return zoo::Jet(0.3) * u * u + zoo::Jet(0.1) * u * v - zoo::Jet(0.2) * v * v;
+         })},
+        {"saddle", zoo::saddle(0.4)},
+        {"wavy", zoo::wavy(0.05, 2.0)}};
+    for (const auto& [name, surface] : surfaces) {
+        SCOPED_TRACE(name);
         for (const auto& curves :
              {zoo::star({0.1, 0.2}, 0.8, 0.2, 3, 4), zoo::regular({0, 0}, 0.9, 5),
               zoo::concave({0, 0}, 0.7), zoo::circle({0, 0}, 0.7, 1)}) {
-            const Hole hole = zoo::window(c.surface, curves);
-            const auto fill = fill_concentric(hole, {});
+            expect_smooth(zoo::window(surface, curves), 1.0);
+        }
+    }
+}
+
+TEST(FillConcentric, ClosesASuitcaseCornerSmoothly) {
+    for (const double radius : {1e-3, 1.0, 1e3}) {
+        expect_smooth(zoo::suitcase_corner(radius), radius);
+    }
+}
+
+TEST(FillConcentric, ClosesWhatIsLeftOfASphereSmoothly) {
+    for (const int sides : {1, 3}) {
+        expect_smooth(zoo::sphere_cap(2.0, 0.9, sides), 1.0);
+    }
+}
+
+/// A circle in four cubics that are no circle: the sides are polynomials.
+TEST(FillConcentric, KeepsTheEdgesOwnCurvesAndParameters) {
+    for (const double scale : {1e-3, 1.0, 1e3}) {
+        const Frame frame = windows::tilted(scale);
+        Hole hole;
+        auto& ribbons = hole.loops.emplace_back().ribbons;
+        for (int i = 0; i < 4; ++i) {
+            const double a = 0.5 * kPi * i;
+            const Vector3d x = std::cos(a) * frame.x + std::sin(a) * frame.y;
+            const Vector3d y = std::cos(a) * frame.y - std::sin(a) * frame.x;
+            SplineCurve curve{3, {0, 0, 0, 0, 0.3, 1, 1, 1, 1}, Eigen::MatrixXd(3, 5)};
+            curve.poles << 2.0 * x, 2.0 * x + 0.3 * y, 1.7 * x + 1.5 * y, 1.1 * x + 2.0 * y,
+                2.0 * y;
+            curve.poles = (scale * curve.poles).colwise() + frame.origin;
+            Ribbon ribbon;
+            ribbon.edge = ribbon.face = i + 1;
+            ribbon.continuity = Continuity::G0;
+            ribbon.curve = curve;
+            ribbon.at = [=](double s) {
+                const Eigen::MatrixXd jet = evaluate(curve, s, 1);
+                RibbonPoint point;
+                point.point = jet.col(0);
+                point.tangent = jet.col(1);
+                point.inward = frame.z;
+                point.normal = point.tangent.normalized().cross(frame.z);
+                point.curvature.setZero();
+                return point;
+            };
+            ribbons.push_back(ribbon);
+        }
+        hole.diameter = windows::diameter_of(hole);
+        for (const char* faces : {"regions", "one"}) {
+            const auto fill = fill_concentric(hole, with_faces(faces));
             ASSERT_TRUE(fill) << fill.error().message;
-            const Fit fit = fit_of(hole, *fill);
-            EXPECT_LT(fit.gap, 1e-6);
-            EXPECT_LT(degrees(fit.angle), 0.01);
-            EXPECT_LT(fit.inner_gap, 1e-6);
-            EXPECT_LT(degrees(fit.inner_angle), 0.05);
-            EXPECT_LT(degrees(fit.seam_angle), c.seam);
+            EXPECT_LT(fit_of(hole, *fill).gap, 1e-14 * 4.0 * scale);
+            EXPECT_TRUE(fill->patches.front().exact);
         }
     }
 }

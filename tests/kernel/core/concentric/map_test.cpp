@@ -5,6 +5,8 @@
 #include "kernel/core/concentric/shapes.h"
 #include <gtest/gtest.h>
 
+#include <ctime>
+
 namespace suture::concentric {
 namespace {
 
@@ -47,16 +49,18 @@ TEST(ConcentricMap, FoldsOnNoneOfFiveHundredShapes) {
     ASSERT_EQ(all.size(), 500U);
     for (const auto& [name, curve] : all) {
         SCOPED_TRACE(name);
-        const auto map = concentric_map(curve, {0.05, 0.02, true, 8});
-        if (!map) {
-            ++refused;
-            which += "\n" + name + ": " + map.error().message;
-            EXPECT_NE(map.error().message.find("s = "), std::string::npos);
-            continue;
+        for (const bool rest_at_tips : {false, true}) {
+            const auto map = concentric_map(curve, {0.05, 0.02, true, 8, rest_at_tips});
+            if (!map) {
+                refused += rest_at_tips ? 1 : 0;
+                which += "\n" + name + ": " + map.error().message;
+                EXPECT_NE(map.error().message.find("s = "), std::string::npos);
+                continue;
+            }
+            EXPECT_TRUE(folded_courses(BoundaryPieces(curve), map->axis).empty());
+            const double size = curve.poles.cwiseAbs().maxCoeff();
+            EXPECT_GT(least_jacobian(curve, map->axis), -1e-9 * size * size);
         }
-        EXPECT_TRUE(folded_courses(BoundaryPieces(curve), map->axis).empty());
-        const double size = curve.poles.cwiseAbs().maxCoeff();
-        EXPECT_GT(least_jacobian(curve, map->axis), -1e-9 * size * size);
     }
     EXPECT_LE(refused, 5) << which;
     RecordProperty("refused", refused);
@@ -133,6 +137,19 @@ TEST(ConcentricMap, DependsNeitherOnStartNorOnDirection) {
             }
             EXPECT_LT(axis_distance(map->axis, back->axis), 1e-7);
         }
+    }
+}
+
+/// In processor time: other work on the machine does not count.
+TEST(ConcentricMap, TakesLessThanASecondForAThousandSegments) {
+    for (const ClosedSpline& curve : {shapes::polygon(shapes::noisy_ellipse(1000, 0.0003)),
+                                      shapes::polygon(shapes::comb(250, 3.0)),
+                                      shapes::spline(shapes::noisy_ellipse(1000, 0.0), 3)}) {
+        const std::clock_t start = std::clock();
+        const auto map = concentric_map(curve, {0.1, 0.02, true, 8, true});
+        const double seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+        ASSERT_TRUE(map) << map.error().message;
+        EXPECT_LT(seconds, 1.0);
     }
 }
 

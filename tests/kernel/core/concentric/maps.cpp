@@ -1,5 +1,4 @@
-/// Concentric maps as lines of JSON, for docs/figures/concentric.py; with --times, a table of the
-/// time a map takes against the number of the boundary's segments.
+/// Concentric maps as lines of JSON, for docs/figures/concentric.py.
 #include "suture/fill/concentric/basic.h"
 #include "suture/fill/concentric/certificate.h"
 #include "suture/fill/concentric/map.h"
@@ -8,8 +7,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <chrono>
-#include <functional>
 #include <string_view>
 
 namespace suture {
@@ -179,31 +176,10 @@ void figures() {
     }
 }
 
-double seconds(const std::function<void()>& work) {
-    const auto start = std::chrono::steady_clock::now();
-    work();
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
-
-void times() {
-    fmt::print("| segments | ellipse with noise | comb | cubic ellipse |\n|---|---|---|---|\n");
-    for (const int n : {100, 300, 1000, 3000, 10000}) {
-        const ClosedSpline noisy = shapes::polygon(shapes::noisy_ellipse(n, 0.3 / n));
-        const ClosedSpline comb = shapes::polygon(shapes::comb(n / 4, 3.0));
-        const ClosedSpline cubic = shapes::spline(shapes::noisy_ellipse(n, 0.0), 3);
-        fmt::print("| {} | {:.3f} s | {:.3f} s | {:.3f} s |\n", n, seconds([&] { robust(noisy); }),
-                   seconds([&] { robust(comb); }), seconds([&] { robust(cubic); }));
-    }
-}
-
 }  // namespace
 }  // namespace suture
 
-int main(int count, char** arguments) {
-    if (count > 1 && std::string_view(arguments[1]) == "--times") {
-        suture::times();
-    } else {
-        suture::figures();
-    }
+int main() {
+    suture::figures();
     return 0;
 }
