@@ -177,9 +177,9 @@ Eigen::MatrixXd join_pieces(const Border& border, const Divisions& divisions,
 
 BorderRows fit_border(const Border& border, const Divisions& divisions, const Tolerance& tolerance,
                       const Way& way) {
-    std::vector<bool> sharp;
+    std::vector<bool> sharp(static_cast<std::size_t>(border.sides()));
     for (int side = 0; side < border.sides(); ++side) {
-        sharp.push_back(border.is_sharp(side, tolerance));
+        sharp[static_cast<std::size_t>(side)] = border.is_sharp(side, tolerance);
     }
     BorderRows rows{Ring(intervals_of(divisions, sharp)), {}, {}, {}};
     const Eigen::MatrixXd columns =
