@@ -42,5 +42,11 @@ build=${SUTURE_BUILD:-build/release}
 "$build/tests/kernel/core/concentric/suture_concentric_maps" | docs/figures/concentric.py docs/figures
 docs/figures/concentric_caps.py ./suture docs/figures/concentric_caps.png
 
+# Those of docs/methods/tube.md.
+docs/figures/tube.sh
+
+# The patches of docs/methods/manifold.md.
+docs/figures/patches.py ./suture docs/figures/manifold.png
+
 # The paper's two surfaces of docs/methods/algebraic.md.
 docs/figures/algebraic.py ./suture docs/figures/algebraic.png

@@ -35,9 +35,13 @@ def triangles(face, deflection):
     vertices, facets = face.tessellate(deflection)
     points = np.array([[v.x, v.y, v.z] for v in vertices])
     normals = []
-    for v in vertices:
-        n = face.normalAt(*face.Surface.parameter(v))
-        normals.append((n.x, n.y, n.z))
+    for k, v in enumerate(vertices):
+        try:
+            n = face.normalAt(*face.Surface.parameter(v))
+            normals.append((n.x, n.y, n.z))
+        except Part.OCCError:  # the tip of a cone: the mean of what meets there
+            around = [points[list(facet)] for facet in facets if k in facet]
+            normals.append(sum(np.cross(b - a, c - a) for a, b, c in around))
     return points, np.array(normals), np.array(facets)
 
 
@@ -98,7 +102,7 @@ class Canvas:
                 self.depth[ys, xs] = z[inside]
                 self.colour[ys, xs] = self.shade(w[:, inside].T @ n, base, zebra)
 
-    def line(self, points):
+    def line(self, points, colour=EDGE):
         screen = self.project(points)
         lift = 0.004 * self.size
         for a, b in zip(screen[:-1], screen[1:]):
@@ -108,7 +112,7 @@ class Canvas:
                 for dx in range(SUPERSAMPLING):
                     i, j = int(y), int(x) + dx
                     if 0 <= i < self.height and 0 <= j < self.width and z + lift > self.depth[i, j]:
-                        self.colour[i, j] = EDGE
+                        self.colour[i, j] = colour
 
     def image(self):
         pixels = (255 * np.clip(self.colour, 0, 1)).astype(np.uint8)

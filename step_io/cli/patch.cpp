@@ -9,7 +9,9 @@
 #include "suture/check/continuity.h"
 #include "suture/check/validity.h"
 #include "suture/faces/make_shell.h"
+#include "suture/fill/manifold/cells.h"
 #include "suture/fill/manifold/layout.h"
+#include "suture/fill/manifold/make_middle.h"
 #include "suture/fill/manifold/star_mesh.h"
 
 #include <fmt/format.h>
@@ -31,6 +33,7 @@ constexpr CommandHelp kHelp{
     "border it is one B-spline of degree k + 1.",
     "  suture patch star.obj -o star.step                   k = 2\n"
     "  suture patch star.obj --k 3 --aperture 0.5 -o star.step\n"
+    "  suture patch star.obj --k 1 --exact -o star.step     rational cells, nothing fitted\n"
     "Exit codes: 0 done, 1 wrong usage, 2 no such mesh, 4 done but out of tolerance or invalid, "
     "5 the output cannot be written.\n"};
 
@@ -39,17 +42,11 @@ struct PatchOptions {
     int k = 2;
     double aperture = 0.0;
     double tolerance = 1e-6;  ///< relative to the diameter
+    bool exact = false;
+    bool quads = false;
     bool force = false;
     io::Format format = io::Format::Step;
 };
-
-/// With more spans than these in a quad a file holds more than anyone wants to open; kinks (k = 0)
-/// are followed by none.
-int most_spans(int k) {
-    constexpr int kMany = 64;
-    constexpr int kFew = 16;
-    return k > 0 ? kMany : kFew;
-}
 
 Result<void> validate(Command& command, PatchOptions& options) {
     const Result<io::Format> format = take_output(command, options.output);
@@ -67,6 +64,9 @@ Result<void> validate(Command& command, PatchOptions& options) {
     }
     if (auto positive = expect_positive("--tolerance", options.tolerance); !positive) {
         return positive;
+    }
+    if (options.exact && options.k > kMostExactOrder) {
+        return fail(ErrorCode::Usage, "--exact is for --k 0 and 1, not {}", options.k);
     }
     return expect_writable("-o", options.output, command.input, options.force);
 }
@@ -112,8 +112,15 @@ Result<Outcome> patch(Run& run, const Command& command, const PatchOptions& opti
     progress = run.stage(Stage::Filling, "fitting the middle", 0.1, 0.6);
     const Stopwatch watch;
     const StarSurface surface(*star, star_mesh->points(*star));
-    const Centre centre = fit_centre(surface, options.tolerance * diameter, most_spans(options.k));
-    const auto shell = make_shell(lay_out(surface, centre, {}));
+    const MiddleForm form = options.exact   ? MiddleForm::Cells
+                            : options.quads ? MiddleForm::Quads
+                                            : MiddleForm::Auto;
+    auto middle = make_middle(surface, form, options.tolerance * diameter);
+    if (!middle) {
+        return fail(ErrorCode::Unreadable, "{}: {}", command.input.string(),
+                    middle.error().message);
+    }
+    const auto shell = make_shell(lay_out(surface, std::move(middle->middle), {}));
     if (!shell) {
         return tl::unexpected(shell.error());
     }
@@ -132,14 +139,14 @@ Result<Outcome> patch(Run& run, const Command& command, const PatchOptions& opti
     if (!written) {
         return tl::unexpected(written.error());
     }
-    const bool fitted = centre.error <= options.tolerance * diameter;
+    const bool fitted = middle->error <= options.tolerance * diameter;
     Outcome outcome;
     outcome.exit_code = fitted && measured->validity.valid ? kDone : kOutOfTolerance;
     outcome.verdict = fmt::format(
-        "wrote {}: {} sides, {} layers, k = {}, aperture {:.4g}; {}, fit error {:.3g}, largest gap "
-        "{:.3g}, angle {:.3g} deg",
+        "wrote {}: {} sides, {} layers, k = {}, aperture {:.4g}; {}; {}, largest gap {:.3g}, angle "
+        "{:.3g} deg",
         options.output.string(), star->n(), star->layers(), star->k(), star->aperture(),
-        counted(measured->validity.faces, "face"), centre.error, measured->max_gap,
+        middle->note, counted(measured->validity.faces, "face"), measured->max_gap,
         degrees(measured->max_angle));
     outcome.document = {{"output", options.output.string()},
                         {"output_format", io::to_string(options.format)},
@@ -149,8 +156,9 @@ Result<Outcome> patch(Run& run, const Command& command, const PatchOptions& opti
                         {"aperture", star->aperture()},
                         {"aperture_bound", Star::aperture_bound(star->k(), star->n())},
                         {"diameter", diameter},
-                        {"spans", centre.spans},
-                        {"fit_error", centre.error},
+                        {"exact", middle->exact},
+                        {"spans", middle->spans},
+                        {"fit_error", middle->error},
                         {"max_gap", measured->max_gap},
                         {"max_angle_deg", degrees(measured->max_angle)},
                         {"shape", json_of(measured->validity)},
@@ -178,6 +186,13 @@ std::shared_ptr<Command> add_patch(CLI::App& app) {
     sub.add_option("--tolerance", options->tolerance,
                    "How far the middle may be off, relative to the mesh's diameter (default 1e-6)")
         ->option_text("T");
+    CLI::Option* exact = sub.add_flag(
+        "--exact", options->exact,
+        "Write the middle exactly, as rational cells between its knot curves (k = 0 and 1 only)");
+    sub.add_flag("--quads", options->quads,
+                 "Write the middle as fitted quads whatever their error (default for k = 0 and 1: "
+                 "quads within the tolerance, else exact cells)")
+        ->excludes(exact);
     sub.add_flag("--force", options->force, "Allow OUT to be the mesh itself");
     Command* self = command.get();
     command->validate = [options, self] { return validate(*self, *options); };

@@ -1,9 +1,12 @@
 #include "suture/fill/tube.h"
 
-#include "suture/fill/tube/border.h"
+#include "suture/fill/tube/border_fit.h"
+#include "suture/fill/tube/divide.h"
 #include "suture/fill/tube/fairing.h"
 #include "suture/fill/tube/pole.h"
 #include "suture/fill/tube/quality.h"
+
+#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>
@@ -58,10 +61,11 @@ Result<tube::FairingTask> task_of(const OptionValues& own, const tube::Pole& pol
         return tl::unexpected(directions.error());
     }
     task.closing = {pole.point, pole.normal, *directions};
-    const auto word = find_word(own, "energy").value_or("F3");
+    const auto word = find_word(own, "energy").value_or("plate");
     task.functional = word == "F1"   ? tube::Functional::F1
                       : word == "F2" ? tube::Functional::F2
-                                     : tube::Functional::F3;
+                      : word == "F3" ? tube::Functional::F3
+                                     : tube::Functional::Plate;
     if (const auto magnitude = find_number(own, "magnitude")) {
         task.magnitudes.emplace(directions->size(), *magnitude);
     }
@@ -70,6 +74,33 @@ Result<tube::FairingTask> task_of(const OptionValues& own, const tube::Pole& pol
     }
     task.curvatures = by_patch(find_numbers(own, "curvature"), divisions);
     return task;
+}
+
+tube::Way way_of(const OptionValues& own) {
+    using Pieces = tube::Way::Pieces;
+    const auto word = find_word(own, "border").value_or("interpolated");
+    return {word == "bezier"   ? Pieces::Bezier
+            : word == "taylor" ? Pieces::Taylor
+                               : Pieces::Interpolated,
+            find_word(own, "join").value_or("fit") == "march" ? tube::Way::Join::Marching
+                                                              : tube::Way::Join::AllAtOnce};
+}
+
+/// Where the columns end in the plane: as laid out, else in their directions at the pole as far
+/// away as they are in space.
+Eigen::Matrix2Xd in_plane(const tube::Closing& closing, const tube::BorderRows& rows) {
+    if (rows.plane.cols() > 0) {
+        return rows.plane;
+    }
+    const Vector3d x = closing.normal.unitOrthogonal();
+    const Vector3d y = closing.normal.cross(x);
+    Eigen::Matrix2Xd plane(2, rows.points.cols());
+    for (Eigen::Index j = 0; j < plane.cols(); ++j) {
+        const Vector3d& direction = closing.directions[static_cast<std::size_t>(j)];
+        plane.col(j) = (rows.points.col(j) - closing.pole).norm() *
+                       Eigen::Vector2d(direction.dot(x), direction.dot(y));
+    }
+    return plane;
 }
 
 Result<Aim> take_aim(const Hole& hole, const OptionValues& own,
@@ -91,14 +122,17 @@ Result<Aim> take_aim(const Hole& hole, const OptionValues& own,
 Result<Tube> make_tube(const RibbonLoop& loop, const Aim& aim, const OptionValues& own,
                        const Tolerance& tolerance, int layers) {
     const std::vector<double> across = tube::knots_across(layers);
+    const tube::Way way = way_of(own);
     const tube::Border border(loop, aim.radials, aim.pole.point, kAround, across.back());
-    const tube::Divisions divisions = tube::divide(border, tolerance, std::ldexp(1.0, -layers));
-    const tube::BorderRows rows = tube::fit_border(border, divisions);
-    const auto task = task_of(own, aim.pole, rows, divisions);
+    const tube::Divisions divisions =
+        tube::divide(border, tolerance, std::ldexp(1.0, -layers), way);
+    const tube::BorderRows rows = tube::fit_border(border, divisions, tolerance, way);
+    auto task = task_of(own, aim.pole, rows, divisions);
     if (!task) {
         return tl::unexpected(task.error());
     }
     tube::Net net(across, rows.ring);
+    task->chart = tube::Chart::radial(net, in_plane(task->closing, rows));
     for (int j = 0; j < net.columns(); ++j) {
         net.point(net.rows() - 1, j) = rows.points.col(j);
         net.point(net.rows() - 2, j) =
@@ -121,10 +155,19 @@ Result<Tube> make_tube(const RibbonLoop& loop, const Aim& aim, const OptionValue
     return result;
 }
 
-/// As many layers as keep the creases small: they fall in proportion to the last layer's width,
-/// whatever the number of columns, and so are found with few.
+Error folds(const tube::Fold& fold) {
+    return fail(ErrorCode::Refused,
+                "the surface folds: its normal turns by {:.1f} deg within a patch (limit {:.0f}), "
+                "at u = {:.3g}, v = {:.3g}",
+                degrees(fold.turn), degrees(kMostTurn), fold.u, fold.v)
+        .value();
+}
+
+/// As many layers as keep the creases small: they fall in proportion to the last layer's width.
+/// What the border's columns are off by adds to them, so that a few columns less must do to find
+/// out.
 Result<int> find_layers(const RibbonLoop& loop, const Aim& aim, const FillOptions& options) {
-    constexpr double kCoarse = 30.0;
+    constexpr double kCoarse = 2.0;
     Tolerance coarse = options.tolerance;
     coarse.linear *= kCoarse;
     coarse.angular *= kCoarse;
@@ -138,6 +181,10 @@ Result<int> find_layers(const RibbonLoop& loop, const Aim& aim, const FillOption
         const auto tube = make_tube(loop, aim, own, coarse, layers);
         if (!tube) {
             return tl::unexpected(tube.error());
+        }
+        const tube::Fold fold = tube::measure_fold(tube->fairing.net, aim.pole.normal);
+        if (fold.turn > kMostTurn) {
+            return tl::unexpected(folds(fold));
         }
         if (tube->crease <= limit || layers >= kMostLayers) {
             return layers;
@@ -210,10 +257,7 @@ Result<FillResult> fill_from(const Hole& hole, const FillOptions& options, const
     const tube::Net& net = tube->fairing.net;
     const tube::Fold fold = tube::measure_fold(net, aim.pole.normal);
     if (fold.turn > kMostTurn) {
-        return fail(ErrorCode::Refused,
-                    "the surface folds: its normal turns by {:.1f} deg within a patch (limit "
-                    "{:.0f}), at u = {:.3g}, v = {:.3g}",
-                    degrees(fold.turn), degrees(kMostTurn), fold.u, fold.v);
+        return tl::unexpected(folds(fold));
     }
     FillResult result;
     result.patches.push_back(patch_of(net, loop, aim));

@@ -10,8 +10,8 @@ inline constexpr std::array kTubeOptions = {
     MethodOption{"pole", OptionKind::Position, "X,Y,Z", "the closing point (default: found)"},
     MethodOption{"normal", OptionKind::Direction, "X,Y,Z",
                  "the outward normal at the closing point (default: found)"},
-    MethodOption{"energy", OptionKind::Word, "F1|F2|F3",
-                 "the fairness functional that is least (default F3)"},
+    MethodOption{"energy", OptionKind::Word, "plate|F1|F2|F3",
+                 "the fairness functional that is least (default plate)"},
     MethodOption{"magnitude", OptionKind::Number, "LENGTH",
                  "of all tangents at the closing point (default: as the functional wants them)",
                  0.0},
@@ -22,6 +22,10 @@ inline constexpr std::array kTubeOptions = {
     MethodOption{"curvature", OptionKind::Numbers, "K,...",
                  "normal curvatures at the closing point, 1/length, positive towards the normal: "
                  "one, or one for each side (default: free)"},
+    MethodOption{"border", OptionKind::Word, "interpolated|bezier|taylor",
+                 "the border as a spline through its points, or as one near quadratic pieces"},
+    MethodOption{"join", OptionKind::Word, "fit|march",
+                 "such pieces by least squares, or each in its turn"},
     MethodOption{"layers", OptionKind::Count, "N",
                  "rows of patches beside the border, each half as wide as the one before (default: "
                  "as many as keep creases within the angle tolerance)",

@@ -2,7 +2,7 @@
 
 import math
 
-from program import DONE, UNREADABLE, USAGE, Case, run
+from program import DONE, OUT_OF_TOLERANCE, UNREADABLE, USAGE, Case, run
 
 
 def star(sides, layers, columns, size=1.0):
@@ -69,6 +69,36 @@ class Patch(Case):
         out = self.folder / "star.step"
         finished = run("patch", mesh, "-o", out, "--tolerance", "1e-3", "--json")
         self.assertEqual(self.expect(finished, DONE).json["shape"]["faces"], 5)
+
+    def test_the_middle_is_written_exactly_for_k_0_and_1(self):
+        mesh = write_obj(self.folder / "star.obj", *star(5, 6, [2, 3]))
+        out = self.folder / "star.step"
+        for k in (0, 1):
+            arguments = ("patch", mesh, "-o", out, "--force", "--k", k, "--json")
+            document = self.expect(run(*arguments, "--exact"), DONE).json
+            self.assertTrue(document["exact"])
+            self.assertEqual(document["fit_error"], 0.0)
+            self.assertTrue(document["shape"]["valid"])
+            self.assertEqual(document["shape"]["shells"], 1)
+            self.assertEqual(document["shape"]["free_edges"], 5)
+            self.assertGreater(document["shape"]["faces"], 50)
+            self.assertLess(document["max_gap"], 1e-9)
+            if k == 1:
+                self.assertLess(document["max_angle_deg"], 1e-5)
+            self.assertLess(out.stat().st_size, 5e6)
+            # Quads cannot follow the kinks: without the option it is the same.
+            self.assertTrue(self.expect(run(*arguments), DONE).json["exact"])
+        coarse = run(*arguments, "--tolerance", "0.1")
+        self.assertFalse(self.expect(coarse, DONE).json["exact"])
+        quads = self.expect(run(*arguments, "--quads"), OUT_OF_TOLERANCE).json
+        self.assertFalse(quads["exact"])
+        self.assertEqual(quads["shape"]["faces"], 10)
+        self.expect_refused(
+            run("patch", mesh, "-o", out, "--force", "--k", "2", "--exact"), USAGE, "--exact"
+        )
+        self.expect_refused(
+            run("patch", mesh, "-o", out, "--force", "--k", "1", "--exact", "--quads"), USAGE
+        )
 
     def test_a_wrong_mesh_is_refused_by_its_vertex(self):
         vertices, faces = star(5, 5, [2])

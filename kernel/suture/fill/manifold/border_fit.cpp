@@ -1,148 +1,45 @@
 #include "suture/fill/manifold/border_fit.h"
 
 #include "suture/base/tolerance.h"
+#include "suture/fill/manifold/border_samples.h"
+#include "suture/fill/manifold/border_system.h"
 
 #include <Eigen/Geometry>
-#include <Eigen/SparseCholesky>
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <map>
 #include <vector>
 
 namespace suture::manifold {
 namespace {
 
 using Eigen::Matrix3Xd;
-using Eigen::MatrixXd;
 using Eigen::Vector3d;
-using Eigen::VectorXd;
 
 /// An angle of 1 counts as much as a distance of this share of the diameter.
 constexpr double kAngleWeight = 0.05;
 /// A relative error of the curvature of 1 counts as much as an angle of this.
 constexpr double kCurvatureWeight = 0.1;
-/// Where the border folds, the cross derivative is held near the inward direction, weakly against
-/// the angle.
-constexpr double kSenseWeights[] = {0.0, 1e-3, 1e-2};
-/// Of the energy against the mean square of a border residual.
-constexpr double kEnergyWeight = 1e-9;
-/// Samples of the border a knot interval.
-constexpr int kSamples = 4;
-
-/// A sample of a ribbon and where it lies on the border.
-struct Sample {
-    const Ribbon* ribbon = nullptr;
-    RibbonPoint wanted;
-    BorderRow row;
-    double weight = 0.0;  ///< share of the border's length
-};
-
-Matrix3Xd derivatives(const Sample& sample, const Matrix3Xd& points) {
-    Matrix3Xd own(3, static_cast<Eigen::Index>(sample.row.points.size()));
-    for (std::size_t k = 0; k < sample.row.points.size(); ++k) {
-        own.col(static_cast<Eigen::Index>(k)) = points.col(sample.row.points[k]);
-    }
-    return own * sample.row.weights.transpose();
-}
-
-/// Samples per interval, `offset` of an interval from its start.
-std::vector<Sample> samples_of(const BorderModel& model, const Hole& hole, const Sides& sides,
-                               double offset) {
-    std::vector<Sample> samples;
-    double total = 0.0;
-    for (const Side& side : sides.sides) {
-        total += side.length;
-    }
-    for (std::size_t m = 0; m < sides.sides.size(); ++m) {
-        const Side& side = sides.sides[m];
-        for (const Piece& piece : side.pieces) {
-            const double share = piece.to - piece.from;
-            const int count =
-                std::max(4, static_cast<int>(std::ceil(share * model.intervals[m] * kSamples)));
-            for (int q = 0; q <= count; ++q) {
-                const double s = std::min(1.0, (q + offset) / count);
-                Sample sample;
-                sample.row =
-                    model.row(static_cast<int>(m), model.y_of(static_cast<int>(m), piece, s));
-                sample.ribbon = &hole.loops.front().ribbons[static_cast<std::size_t>(piece.ribbon)];
-                sample.wanted = sample.ribbon->at(s);
-                sample.weight = share * side.length / total / (count + 1);
-                samples.push_back(std::move(sample));
-            }
-        }
-    }
-    return samples;
-}
-
-/// The normal equations of all residuals, for the three coordinates of all points together.
-class Normal {
-  public:
-    explicit Normal(int count) : right_(VectorXd::Zero(3 * count)) {}
-
-    /// Adds the residual sum_k direction . P_k row_k - value.
-    void add(const Sample& sample, const MatrixXd& gradient, double value, double weight) {
-        for (std::size_t a = 0; a < sample.row.points.size(); ++a) {
-            for (int c = 0; c < 3; ++c) {
-                const double x = weight * gradient(c, static_cast<Eigen::Index>(a));
-                if (x == 0.0) {
-                    continue;
-                }
-                right_[3 * sample.row.points[a] + c] += x * value;
-                for (std::size_t b = 0; b < sample.row.points.size(); ++b) {
-                    for (int d = 0; d < 3; ++d) {
-                        const double y = gradient(d, static_cast<Eigen::Index>(b));
-                        if (y != 0.0) {
-                            entries_.emplace_back(3 * sample.row.points[a] + c,
-                                                  3 * sample.row.points[b] + d, x * y);
-                        }
-                    }
-                }
-            }
-        }
-    }
-
-    void add(const Eigen::SparseMatrix<double>& energy, double weight) {
-        for (int column = 0; column < energy.outerSize(); ++column) {
-            for (Eigen::SparseMatrix<double>::InnerIterator it(energy, column); it; ++it) {
-                for (int c = 0; c < 3; ++c) {
-                    entries_.emplace_back(3 * static_cast<int>(it.row()) + c,
-                                          3 * static_cast<int>(it.col()) + c, weight * it.value());
-                }
-            }
-        }
-    }
-
-    [[nodiscard]] Result<Matrix3Xd> solve() const {
-        Eigen::SparseMatrix<double> matrix(right_.size(), right_.size());
-        matrix.setFromTriplets(entries_.begin(), entries_.end());
-        const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver(matrix);
-        if (solver.info() != Eigen::Success) {
-            return fail(ErrorCode::Refused,
-                        "the least squares of the border have no unique solution");
-        }
-        VectorXd solution = solver.solve(right_);
-        // One step of iterative refinement: the energy's weight makes the matrix stiff.
-        solution += solver.solve(right_ - matrix * solution);
-        return Matrix3Xd(solution.reshaped(3, solution.size() / 3));
-    }
-
-  private:
-    std::vector<Eigen::Triplet<double>> entries_;
-    VectorXd right_;
-};
+/// Where the surface folds, the cross derivative is held near that of a surface that does not,
+/// weakly against the angle.
+constexpr double kSenseWeights[] = {0.0, 1e-3, 1e-2, 1e-1, 0.3};
+/// A cross derivative that falls below this share of its median is mended like a fold.
+constexpr double kEven = 0.1;
 
 /// Adds what one sample asks for. before: the points of the step before, for G2.
-void add_sample(Normal& normal, const Sample& sample, double slope_weight,
+void add_sample(BorderSystem& system, const Sample& sample, double slope_weight,
                 const Matrix3Xd* before) {
     const RibbonPoint& w = sample.wanted;
     for (int c = 0; c < 3; ++c) {
-        normal.add(sample, Vector3d::Unit(c) * sample.row.weights.row(0), w.point[c],
+        system.add(sample, Vector3d::Unit(c) * sample.row.weights.row(0), w.point[c],
                    sample.weight);
     }
     if (sample.ribbon->continuity < Continuity::G1) {
         return;
     }
-    normal.add(sample, w.normal * sample.row.weights.row(1), 0.0,
+    system.add(sample, w.normal * sample.row.weights.row(1), 0.0,
                sample.weight * slope_weight * slope_weight);
     if (sample.ribbon->continuity < Continuity::G2 || before == nullptr) {
         return;
@@ -151,15 +48,24 @@ void add_sample(Normal& normal, const Sample& sample, double slope_weight,
     const Vector3d x = derivatives(sample, *before).col(1);
     const Vector3d slope = 2.0 * w.curvature * x;
     const double bend = kCurvatureWeight * slope_weight;
-    normal.add(sample, w.normal * sample.row.weights.row(3) - slope * sample.row.weights.row(1),
+    system.add(sample, w.normal * sample.row.weights.row(3) - slope * sample.row.weights.row(1),
                -x.dot(w.curvature * x), sample.weight * bend * bend);
+}
+
+/// The least of some values, as a share of their median.
+double evenness_of(std::vector<double>& values) {
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return *std::min_element(values.begin(), values.end()) / *middle;
 }
 
 /// Where the border faces the neighbours' way all along, the largest gap and angle.
 Result<void> measure(BorderFit& fit, const std::vector<Sample>& samples) {
+    std::map<const Ribbon*, std::vector<double>> outward;
     for (const Sample& sample : samples) {
         const Matrix3Xd d = derivatives(sample, fit.points);
         fit.gap = std::max(fit.gap, (d.col(0) - sample.wanted.point).norm());
+        outward[sample.ribbon].push_back(-sample.wanted.inward.dot(d.col(1)));
         if (sample.ribbon->continuity < Continuity::G1) {
             continue;
         }
@@ -173,59 +79,162 @@ Result<void> measure(BorderFit& fit, const std::vector<Sample>& samples) {
         }
         fit.angle = std::max(fit.angle, angle);
     }
+    for (auto& [unused, values] : outward) {
+        fit.evenness = std::min(fit.evenness, evenness_of(values));
+    }
     return {};
 }
 
-}  // namespace
+/// One border's fit, over and over with more asked of it.
+class Fitter {
+  public:
+    Fitter(const BorderModel& model, const Hole& hole, const Sides& sides)
+        : model_(model),
+          hole_(hole),
+          sides_(sides),
+          slope_weight_(kAngleWeight * hole.diameter / model.depth),
+          samples_(samples_of(model, hole, sides, 0.0)) {
+        // Ends included: next to corners the angle is largest.
+        for (const double offset : {0.0, 0.1, 0.37}) {
+            std::vector<Sample> more = samples_of(model, hole, sides, offset);
+            std::move(more.begin(), more.end(), std::back_inserter(measured_));
+        }
+    }
 
-double BorderModel::y_of(int side, const Piece& piece, double s) const {
-    const auto m = static_cast<std::size_t>(side);
-    return low[m] + (high[m] - low[m]) * (piece.from + (piece.to - piece.from) * piece.along(s));
-}
+    /// Whether any sample asks for G2 and the model can have it.
+    [[nodiscard]] bool curved() const {
+        return model_.k >= 2 &&
+               std::any_of(samples_.begin(), samples_.end(), [](const Sample& sample) {
+                   return sample.ribbon->continuity == Continuity::G2;
+               });
+    }
 
-namespace {
-
-Result<BorderFit> fit_once(const BorderModel& model, const Hole& hole, const Sides& sides,
-                           double sense) {
-    const std::vector<Sample> samples = samples_of(model, hole, sides, 0.0);
-    const double slope_weight = kAngleWeight * hole.diameter / model.depth;
-    const bool curvature =
-        model.k >= 2 && std::any_of(samples.begin(), samples.end(), [](const Sample& sample) {
-            return sample.ribbon->continuity == Continuity::G2;
-        });
-    BorderFit fit;
-    constexpr int kSteps = 4;
-    for (int step = 0; step < (curvature ? kSteps : 1); ++step) {
-        Normal normal(model.points);
-        for (const Sample& sample : samples) {
-            add_sample(normal, sample, slope_weight, step > 0 ? &fit.points : nullptr);
+    /// before: the points of the step before, for G2.
+    [[nodiscard]] Result<BorderFit> fit(double sense, const Matrix3Xd* before) {
+        if (sense > 0.0 && across_.cols() == 0) {
+            find_across();
+        }
+        BorderSystem system(model_.points);
+        for (std::size_t i = 0; i < samples_.size(); ++i) {
+            const Sample& sample = samples_[i];
+            add_sample(system, sample, slope_weight_, before);
             for (int c = 0; sense > 0.0 && c < 3; ++c) {
-                const double weight = sense * slope_weight;
-                normal.add(sample, Vector3d::Unit(c) * sample.row.weights.row(1),
-                           -model.depth * sample.wanted.inward[c], sample.weight * weight * weight);
+                const double weight = sense * slope_weight_;
+                system.add(sample, Vector3d::Unit(c) * sample.row.weights.row(1),
+                           across_(c, static_cast<Eigen::Index>(i)),
+                           sample.weight * weight * weight, BorderSystem::Kind::Wish);
             }
         }
-        normal.add(model.energy, kEnergyWeight);
-        auto points = normal.solve();
+        auto points = system.solve(model_.energy);
         if (!points) {
             return tl::unexpected(points.error());
         }
+        BorderFit fit;
         fit.points = std::move(*points);
+        if (auto measured = measure(fit, measured_); !measured) {
+            return tl::unexpected(measured.error());
+        }
+        if (const auto fold = model_.fold(fit.points)) {
+            const int nearest =
+                sides_.sides[static_cast<std::size_t>(fold->side)].pieces.front().ribbon;
+            return fail(
+                ErrorCode::Refused,
+                "the surface folds at ({:.6g}, {:.6g}, {:.6g}), on the side of {}: its normal "
+                "turns by {:.0f} deg from one sample to the next",
+                fold->at.x(), fold->at.y(), fold->at.z(),
+                name_of(hole_.loops.front().ribbons[static_cast<std::size_t>(nearest)]),
+                degrees(fold->angle));
+        }
+        return fit;
     }
-    constexpr double kBetween = 0.37;
-    const auto measured = measure(fit, samples_of(model, hole, sides, kBetween));
-    return measured ? Result<BorderFit>(fit) : tl::unexpected(measured.error());
-}
+
+  private:
+    const BorderModel& model_;
+    const Hole& hole_;
+    const Sides& sides_;
+    double slope_weight_;
+    std::vector<Sample> samples_;
+    std::vector<Sample> measured_;
+    Matrix3Xd across_;  ///< S_x at each sample as it should be, about
+
+    /// The cross derivatives of the membrane through the border, in the tangent planes; where it
+    /// stands upright on these, and without a membrane, of even layers.
+    void find_across() {
+        across_.resize(3, static_cast<Eigen::Index>(samples_.size()));
+        Result<Matrix3Xd> points = Matrix3Xd();
+        if (model_.membrane.size() > 0) {
+            BorderSystem system(model_.points);
+            for (const Sample& sample : samples_) {
+                for (int c = 0; c < 3; ++c) {
+                    system.add(sample, Vector3d::Unit(c) * sample.row.weights.row(0),
+                               sample.wanted.point[c], sample.weight);
+                }
+            }
+            points = system.solve(model_.membrane, 1);
+        }
+        for (std::size_t i = 0; i < samples_.size(); ++i) {
+            const RibbonPoint& w = samples_[i].wanted;
+            const Vector3d outward = -w.inward;
+            Vector3d x = model_.depth * outward;
+            if (points && points->cols() > 0) {
+                const Vector3d free = derivatives(samples_[i], *points).col(1);
+                const Vector3d flat = free - w.normal * w.normal.dot(free);
+                // As long as the free one: a dome's is bent down, not shortened.
+                constexpr double kLeast = 0.2;
+                const double along = flat.dot(outward);
+                x = along > kLeast * free.norm() ? Vector3d(flat * (free.norm() / flat.norm()))
+                                                 : Vector3d(free.norm() * outward);
+            }
+            across_.col(static_cast<Eigen::Index>(i)) = x;
+        }
+        lengthen();
+    }
+
+    /// None of them shorter than a share of the median on its ribbon.
+    void lengthen() {
+        std::map<const Ribbon*, std::vector<double>> lengths;
+        for (std::size_t i = 0; i < samples_.size(); ++i) {
+            lengths[samples_[i].ribbon].push_back(across_.col(static_cast<Eigen::Index>(i)).norm());
+        }
+        for (auto& [unused, own] : lengths) {
+            std::sort(own.begin(), own.end());
+        }
+        constexpr double kLeast = 0.4;
+        for (std::size_t i = 0; i < samples_.size(); ++i) {
+            const std::vector<double>& own = lengths[samples_[i].ribbon];
+            auto x = across_.col(static_cast<Eigen::Index>(i));
+            x *= std::max(1.0, kLeast * own[own.size() / 2] / x.norm());
+        }
+    }
+};
 
 }  // namespace
 
-Result<BorderFit> fit_border(const BorderModel& model, const Hole& hole, const Sides& sides) {
+Result<BorderFit> fit_border(const BorderModel& model, const Hole& hole, const Sides& sides,
+                             const Tolerance& limits) {
+    Fitter fitter(model, hole, sides);
     Result<BorderFit> fit;
-    for (const double sense : kSenseWeights) {
-        fit = fit_once(model, hole, sides, sense);
-        if (fit) {
+    double sense = 0.0;
+    for (const double weight : kSenseWeights) {
+        auto next = fitter.fit(weight, nullptr);
+        if (!fit || (next && next->evenness > fit->evenness) || fit->points.size() == 0) {
+            fit = std::move(next);
+            sense = weight;
+        }
+        if (fit && fit->evenness >= kEven) {
             break;
         }
+    }
+    if (!fit || !fitter.curved() || fit->gap > limits.linear || fit->angle > limits.angular) {
+        return fit;
+    }
+    constexpr int kSteps = 3;
+    for (int step = 0; step < kSteps; ++step) {
+        auto next = fitter.fit(sense, &fit->points);
+        if (!next) {
+            return next;
+        }
+        fit = std::move(next);
     }
     return fit;
 }

@@ -27,7 +27,7 @@ constexpr double kBeside = 1e-7;
 constexpr double kSame = 1e-9;
 
 /// Where any side has a knot, and in between so often that no span is longer than 1 / spans.
-std::vector<double> breaks_for(const Star& star, double reach, int spans) {
+std::vector<double> first_breaks(const Star& star, double reach, int spans) {
     std::vector<double> knots = {0.0, 1.0};
     for (int m = 0; m < star.n(); ++m) {
         for (const double y : star.knots_y(m)) {
@@ -50,6 +50,46 @@ std::vector<double> breaks_for(const Star& star, double reach, int spans) {
         }
     }
     return breaks;
+}
+
+/// More breaks where the error asks for them: it falls like a span's power k + 1.
+///
+/// Input    errors: of each span, the largest in its row and its column of the square.
+std::vector<double> finer(const std::vector<double>& breaks, const std::vector<double>& errors,
+                          double tolerance, int k, int most_spans) {
+    constexpr double kGoal = 0.7;  // of the tolerance: errors fall less evenly than that
+    constexpr double kMostPieces = 3.0;
+    std::vector<double> wanted;
+    for (const double error : errors) {
+        const double excess = error / (kGoal * tolerance);
+        wanted.push_back(excess > 1.0 ? std::min(std::pow(excess, 1.0 / (k + 1)), kMostPieces)
+                                      : 1.0);
+    }
+    // All of them together may be too many: then all get less.
+    double share = 1.0;
+    const auto pieces_of = [&](double pieces) {
+        return std::max(1, static_cast<int>(std::ceil(share * pieces - kSame)));
+    };
+    const auto spans = [&] {
+        int sum = 0;
+        for (const double pieces : wanted) {
+            sum += pieces_of(pieces);
+        }
+        return sum;
+    };
+    constexpr double kLess = 0.95;
+    while (share * kMostPieces > 1.0 && spans() > most_spans) {
+        share *= kLess;
+    }
+    std::vector<double> result = {0.0};
+    for (std::size_t i = 0; i < errors.size(); ++i) {
+        const int pieces = pieces_of(wanted[i]);
+        for (int p = 1; p <= pieces; ++p) {
+            result.push_back(breaks[i] + (breaks[i + 1] - breaks[i]) * p / pieces);
+        }
+        result.back() = breaks[i + 1];
+    }
+    return result;
 }
 
 /// A spline curve of degree 4 with simple knots on [0,1]: three times differentiable, so that a
@@ -103,11 +143,8 @@ class SpokeCurve {
 
 class CentreFit {
   public:
-    CentreFit(const StarSurface& surface, int spans)
-        : surface_(surface),
-          star_(surface.star()),
-          map_(star_),
-          breaks_(breaks_for(star_, map_.reach(), spans)) {
+    CentreFit(const StarSurface& surface, std::vector<double> breaks)
+        : surface_(surface), star_(surface.star()), map_(star_), breaks_(std::move(breaks)) {
         for (int m = 0; m < star_.n(); ++m) {
             Series<3> one = surface_.expand(variable(0.0, 0, kOrder), variable(0.0, 1, kOrder),
                                             map_.at(m, {kBeside, kBeside}));
@@ -128,8 +165,29 @@ class CentreFit {
         for (const HermiteNet& net : nets_) {
             centre.quads.push_back(net.spline());
         }
-        centre.error = measure_error(centre.quads);
         return centre;
+    }
+
+    /// Of each span, the largest error in its row and its column of any square.
+    [[nodiscard]] std::vector<double> measure_errors(
+        const std::vector<SplineSurface>& quads) const {
+        std::vector<double> errors(breaks_.size() - 1, 0.0);
+        constexpr double kPlaces[] = {0.3, 0.7};
+        const auto between = [&](std::size_t i, double t) {
+            return breaks_[i] + t * (breaks_[i + 1] - breaks_[i]);
+        };
+        for (std::size_t j = 0; j < errors.size(); ++j) {
+            for (std::size_t i = 0; i < errors.size(); ++i) {
+                for (const double a : kPlaces) {
+                    for (const double b : kPlaces) {
+                        const double error = error_at({between(i, a), between(j, b)}, quads);
+                        errors[i] = std::max(errors[i], error);
+                        errors[j] = std::max(errors[j], error);
+                    }
+                }
+            }
+        }
+        return errors;
     }
 
   private:
@@ -293,28 +351,13 @@ class CentreFit {
                 s.derivative(2, 1) - along[2]};
     }
 
-    [[nodiscard]] double measure_error(const std::vector<SplineSurface>& quads) const {
+    [[nodiscard]] double error_at(const Vector2d& at,
+                                  const std::vector<SplineSurface>& quads) const {
+        const Vector2d in_x = map_.at(0, at);
         double error = 0.0;
-        constexpr double kPlaces[] = {0.3, 0.7};
-        const auto between = [&](int i, double t) {
-            const auto k = static_cast<std::size_t>(i);
-            return breaks_[k] + t * (breaks_[k + 1] - breaks_[k]);
-        };
-        for (int j = 0; j < last(); ++j) {
-            for (int i = 0; i < last(); ++i) {
-                for (const double a : kPlaces) {
-                    for (const double b : kPlaces) {
-                        const Vector2d at(between(i, a), between(j, b));
-                        const Vector2d in_x = map_.at(0, at);
-                        for (int m = 0; m < star_.n(); ++m) {
-                            const Vector3d p =
-                                evaluate(quads[static_cast<std::size_t>(m)], at.x(), at.y()).point;
-                            error =
-                                std::max(error, (p - surface_.at(star_.from_side(m, in_x))).norm());
-                        }
-                    }
-                }
-            }
+        for (int m = 0; m < star_.n(); ++m) {
+            const Vector3d p = evaluate(quads[static_cast<std::size_t>(m)], at.x(), at.y()).point;
+            error = std::max(error, (p - surface_.at(star_.from_side(m, in_x))).norm());
         }
         return error;
     }
@@ -324,11 +367,21 @@ class CentreFit {
 
 Centre fit_centre(const StarSurface& surface, double tolerance, int most_spans) {
     constexpr int kFirst = 8;
-    for (int spans = kFirst;; spans *= 2) {
-        Centre centre = CentreFit(surface, spans).take();
-        if (centre.error <= tolerance || 2 * spans > most_spans) {
+    const Star& star = surface.star();
+    std::vector<double> breaks =
+        first_breaks(star, QuadMap(star).reach(), std::min(kFirst, most_spans));
+    for (;;) {
+        const CentreFit fit(surface, breaks);
+        Centre centre = fit.take();
+        const std::vector<double> errors = fit.measure_errors(centre.quads);
+        centre.error = *std::max_element(errors.begin(), errors.end());
+        std::vector<double> more = centre.error <= tolerance
+                                       ? breaks
+                                       : finer(breaks, errors, tolerance, star.k(), most_spans);
+        if (more.size() == breaks.size()) {
             return centre;
         }
+        breaks = std::move(more);
     }
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "suture/fill/manifold/centre.h"
+#include "suture/fill/manifold/middle.h"
 #include "suture/fill/manifold/surface.h"
 #include "suture/model/patch.h"
 
@@ -17,21 +17,20 @@ struct SideEdge {
 };
 
 /// The patches of a star: n strips, each the exact B-spline of a border zone (Theorem 1) from the
-/// border to where the zones begin, mitred along the diagonals of its two corner blocks; and the n
-/// quads of the middle.
+/// border to where the zones begin, mitred along the diagonals of its two corner blocks; and those
+/// of the middle.
 ///
 ///         corner m -------- border of side m -------- corner m-1
 ///               \                                    /
 ///                \ mitre        strip m             /      Both strips at a mitre are the same
 ///                 \                                /       B-spline there.
-///                K_m ----------- A_m ----------- K_(m-1)
-///                  |   quad m     |   quad m-1   |
-///                  +------------- O -------------+
+///                K_m ---------------------------- K_(m-1)
+///                  |            middle             |
 ///
 /// Input    edges[m]: the hole's edges along side m, in order; empty: the patch stands for itself
 ///          and gets edges and vertices of its own.
 ///          A patch of the fewest layers has no border zone, and no strips: only for itself.
-[[nodiscard]] FillResult lay_out(const StarSurface& surface, const Centre& centre,
+[[nodiscard]] FillResult lay_out(const StarSurface& surface, Middle middle,
                                  const std::vector<std::vector<SideEdge>>& edges);
 
 /// The B-spline of side m between the beginning of the border zone and the border: u is x - mu(y),

@@ -22,6 +22,7 @@ class Ring {
   public:
     Ring(int k, int layers, int columns);
 
+    [[nodiscard]] int layers() const { return layers_; }
     [[nodiscard]] int count() const { return 3 + (rows() - 2) * columns_; }
 
     /// The energy is the integral over the unit disc of |d^3 S|^2, by polar coordinates.

@@ -12,10 +12,10 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// Beyond this the two sides of a corner run on into each other, as far as a patch is concerned
-/// whose border turns there.
-constexpr double kCornerAngle = radians(155.0);
-constexpr double kReflexAngle = radians(205.0);
+/// Beyond this the two sides of a corner run on into each other: the corner block of a patch would
+/// be too flat, and a little kink is followed by many knots.
+constexpr double kCornerAngle = radians(170.0);
+constexpr double kReflexAngle = radians(190.0);
 
 /// Normals of two neighbours that differ by more than this cannot both be met at their corner.
 constexpr double kDisagree = radians(0.5);
@@ -48,6 +48,20 @@ Length length_of(const Ribbon& ribbon) {
             }};
 }
 
+/// Lets the ends of ribbons that do not quite meet do so, each moved by its share of their lengths:
+/// then no one is tilted more than the other.
+void meet(std::vector<Piece>& pieces, const std::vector<Ribbon>& ribbons,
+          const std::vector<Length>& lengths) {
+    const std::size_t count = ribbons.size();
+    for (std::size_t i = 0; i < count; ++i) {
+        const std::size_t before = (i + count - 1) % count;
+        const Vector3d apart = ribbons[i].at(0.0).point - ribbons[before].at(1.0).point;
+        const double share = lengths[i].total / (lengths[i].total + lengths[before].total);
+        pieces[i].start_shift = -share * apart;
+        pieces[before].end_shift = (1.0 - share) * apart;
+    }
+}
+
 /// The angle inside the hole where one ribbon ends and another begins.
 double interior_angle(const RibbonPoint& end, const RibbonPoint& start) {
     const Vector3d normal = (end.normal + start.normal).normalized();
@@ -57,6 +71,19 @@ double interior_angle(const RibbonPoint& end, const RibbonPoint& start) {
 }
 
 }  // namespace
+
+Vector3d Piece::meeting_point(const Vector3d& point, double s) const {
+    const auto fades = [](double t) { return (1.0 - t) * (1.0 - t) * (1.0 + 2.0 * t); };
+    return point + fades(s) * start_shift + fades(1.0 - s) * end_shift;
+}
+
+std::vector<double> Side::joints() const {
+    std::vector<double> shares;
+    for (std::size_t i = 0; i + 1 < pieces.size(); ++i) {
+        shares.push_back(pieces[i].to);
+    }
+    return shares;
+}
 
 Result<Sides> find_sides(const Hole& hole) {
     if (hole.loops.size() != 1) {
@@ -106,13 +133,18 @@ Result<Sides> find_sides(const Hole& hole) {
                     "has at least 3, a ring none",
                     name_of(ribbons.front()), corners.size(), degrees(kCornerAngle));
     }
+    std::vector<Piece> pieces(count);
+    meet(pieces, ribbons, lengths);
     for (std::size_t c = 0; c < corners.size(); ++c) {
         const std::size_t end = corners[(c + 1) % corners.size()];
         Side& side = result.sides.emplace_back();
         std::size_t i = corners[c];
         do {
-            side.pieces.push_back({static_cast<int>(i), side.length, side.length + lengths[i].total,
-                                   lengths[i].along});
+            Piece& piece = side.pieces.emplace_back(std::move(pieces[i]));
+            piece.ribbon = static_cast<int>(i);
+            piece.from = side.length;
+            piece.to = side.length + lengths[i].total;
+            piece.along = lengths[i].along;
             side.length += lengths[i].total;
             i = (i + 1) % count;
         } while (i != end);

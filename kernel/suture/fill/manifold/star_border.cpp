@@ -7,9 +7,6 @@
 namespace suture::manifold {
 namespace {
 
-/// Of the second differences against the third.
-constexpr double kFlatWeight = 1e-3;
-
 BorderRow row_at(const Star& star, int m, double y) {
     BorderRow row;
     const int degree = star.degree();
@@ -34,19 +31,31 @@ BorderRow row_at(const Star& star, int m, double y) {
 
 }  // namespace
 
-BorderModel border_model(const Star& star, double diameter) {
+BorderModel border_model(const Star& star, double diameter, std::vector<double> centres) {
     BorderModel model;
+    model.centres = std::move(centres);
     model.k = star.k();
     model.points = star.count();
     for (int m = 0; m < star.n(); ++m) {
-        model.intervals.push_back(2.0 * star.layers() + star.columns(m));
-        model.low.push_back(lower_end(star, m));
-        model.high.push_back(upper_end(star, m));
+        const double low = lower_end(star, m);
+        const double high = upper_end(star, m);
+        std::vector<double>& knots = model.knots.emplace_back();
+        knots.push_back(low);
+        for (const double y : star.knots_y(m)) {
+            if (y > low && y < high) {
+                knots.push_back(y);
+            }
+        }
+        knots.push_back(high);
     }
     // From the border to the middle it is about a third of the diameter.
     constexpr double kShare = 0.35;
     model.depth = kShare * diameter / star.border(0);
-    model.energy = net_energy(star, kFlatWeight);
+    model.energy = net_energy(star, NetWeights());
+    model.membrane = net_energy(star, NetWeights{0.0, 0.0, 1.0});
+    model.fold = [star](const Eigen::Matrix3Xd& points) {
+        return find_fold(StarSurface(star, points));
+    };
     model.row = [star](int m, double y) { return row_at(star, m, y); };
     return model;
 }

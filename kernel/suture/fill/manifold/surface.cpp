@@ -150,8 +150,8 @@ Eigen::Vector3d StarSurface::at(const Vector2d& p) const {
     return h.head<3>() / h[3];
 }
 
-Series<3> StarSurface::expand(const Series<1>& x, const Series<1>& y,
-                              const Vector2d& towards) const {
+Series<4> StarSurface::expand_sum(const Series<1>& x, const Series<1>& y,
+                                  const Vector2d& towards) const {
     const int order = x.order();
     const int degree = star_.degree();
     Series<4> total(order);
@@ -189,7 +189,12 @@ Series<3> StarSurface::expand(const Series<1>& x, const Series<1>& y,
         }
         total += compose(side, dx, dy);
     }
-    return project(total);
+    return total;
+}
+
+Series<3> StarSurface::expand(const Series<1>& x, const Series<1>& y,
+                              const Vector2d& towards) const {
+    return project(expand_sum(x, y, towards));
 }
 
 Series<3> StarSurface::expand(const Vector2d& p, int order) const {

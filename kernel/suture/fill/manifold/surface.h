@@ -28,9 +28,13 @@ class StarSurface {
     [[nodiscard]] Eigen::Vector4d sum(const Eigen::Vector2d& p) const;
     [[nodiscard]] Eigen::Vector3d at(const Eigen::Vector2d& p) const;
 
-    /// Taylor series of S along a path (x, y) into X that is itself a series.
+    /// Taylor series of (sum w N P, sum w N) along a path (x, y) into X that is itself a series:
+    /// exact where its order is the polynomials' degree.
     ///
     /// Input    towards: a point next to (x, y): across a knot the series is that on its side.
+    [[nodiscard]] Series<4> expand_sum(const Series<1>& x, const Series<1>& y,
+                                       const Eigen::Vector2d& towards) const;
+    /// Taylor series of S along such a path.
     [[nodiscard]] Series<3> expand(const Series<1>& x, const Series<1>& y,
                                    const Eigen::Vector2d& towards) const;
     /// The same by x and y themselves.

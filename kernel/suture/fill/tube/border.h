@@ -3,7 +3,6 @@
 #include "suture/base/result.h"
 #include "suture/base/tolerance.h"
 #include "suture/fill/tube/course.h"
-#include "suture/fill/tube/net.h"
 #include "suture/fill/tube/radials.h"
 #include "suture/model/ribbon.h"
 
@@ -17,6 +16,7 @@ namespace suture::tube {
 /// What the tube has to meet at one place of its border.
 struct BorderPoint {
     Eigen::Vector3d point;
+    Eigen::Vector3d edge;     ///< the point on the neighbour's edge
     Eigen::Vector3d outward;  ///< d: the tube's tangent across the border
     Eigen::Vector3d normal;   ///< of the neighbour
     Eigen::Vector3d tangent;  ///< by the parameter around
@@ -44,12 +44,16 @@ class Border {
     }
     [[nodiscard]] double s_of(int side, double v) const;
     [[nodiscard]] double v_of(int side, double s) const;
-    /// v counts from the side's start.
+    /// v counts from the side's start. Ends of two sides that differ, because the model's edges or
+    /// the neighbours' tangent planes do, are brought together: what that takes is spread over the
+    /// whole of either side, so that it leaves no bend.
     [[nodiscard]] BorderPoint at(int side, double v) const;
-    /// Where a side begins: the mean of what it and the side before it have there.
-    [[nodiscard]] BorderPoint corner(int side) const;
+    /// Where a side begins.
+    [[nodiscard]] BorderPoint corner(int side) const { return at(side, 0.0); }
     /// The angle between the border's two directions there.
     [[nodiscard]] double turn(int side) const;
+    /// Whether the border has two tangents there, as the parameters see it: a double knot.
+    [[nodiscard]] bool is_sharp(int side, const Tolerance& tolerance) const;
 
   private:
     RibbonLoop loop_;
@@ -62,36 +66,16 @@ class Border {
     /// position only.
     std::vector<std::array<Eigen::Vector3d, 2>> bends_;
 
+    /// What is added to points and outward tangents at both ends of a side.
+    struct Shift {
+        Eigen::Vector3d point = Eigen::Vector3d::Zero();
+        Eigen::Vector3d outward = Eigen::Vector3d::Zero();
+        Eigen::Vector2d plane = Eigen::Vector2d::Zero();
+    };
+    std::vector<std::array<Shift, 2>> shifts_;
+
     [[nodiscard]] Eigen::Vector3d outward(int side, double s, const RibbonPoint& at) const;
+    void bring_together(int side);
 };
-
-/// The intervals of each side, in the parameter around.
-using Divisions = std::vector<std::vector<double>>;
-
-/// The border's two rows on a net with a double knot at each corner: columns that interpolate the
-/// border and its outward tangents in the middle of each interval.
-///
-/// Result   points and outward tangents of every column, 3 x columns each.
-struct BorderRows {
-    Ring ring;
-    Eigen::Matrix3Xd points, outward;
-    Eigen::Matrix2Xd plane;  ///< empty without a layout
-};
-[[nodiscard]] BorderRows fit_border(const Border& border, const Divisions& divisions);
-
-/// How well a net with these rows meets the sides, on the intervals of one side.
-struct BorderError {
-    double gap = 0.0;
-    double angle = 0.0;  ///< between the normals; only where the side asks for it
-};
-[[nodiscard]] std::vector<std::vector<BorderError>> measure_border(const Border& border,
-                                                                   const Divisions& divisions,
-                                                                   const BorderRows& rows);
-
-/// Divides the sides until the border is met within the tolerance.
-///
-/// Input    first: the intervals next to the corners are no longer than this, if they turn there
-/// Result   fewer divisions than the tolerance needs where kMostColumns are not enough
-[[nodiscard]] Divisions divide(const Border& border, const Tolerance& tolerance, double first);
 
 }  // namespace suture::tube

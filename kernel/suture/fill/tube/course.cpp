@@ -11,8 +11,13 @@ namespace {
 /// smooth and the same in both directions.
 constexpr int kPanels = 128;
 
-/// Up to this ratio of speeds a side keeps its parameter.
-constexpr double kEven = 3.0;
+/// Up to this ratio of speeds a side keeps its parameter: any side, or a quadratic one.
+constexpr double kEven = 1.01;
+constexpr double kEvenIfQuadratic = 3.0;
+
+bool is_quadratic(const Ribbon& ribbon) {
+    return ribbon.curve && ribbon.curve->degree <= 2;
+}
 
 constexpr std::array kNodes = {0.069431844202973712, 0.33000947820757187, 0.66999052179242813,
                                0.93056815579702629};
@@ -21,60 +26,80 @@ constexpr std::array kWeights = {0.17392742256872693, 0.32607257743127307, 0.326
 
 }  // namespace
 
-Course::Course(const Ribbon& ribbon)
-    : at_(ribbon.at), lengths_{0.0}, slowest_(INFINITY), fastest_(0.0), even_(false) {
+Course::Course(const Ribbon& ribbon) : lengths_{0.0} {
+    const auto speed = [&](double s) { return ribbon.at(s).tangent.norm(); };
+    double slowest = INFINITY;
+    double fastest = 0.0;
+    speeds_.push_back(speed(0.0));
     for (int k = 0; k < kPanels; ++k) {
-        const double from = static_cast<double>(k) / kPanels;
-        const double to = static_cast<double>(k + 1) / kPanels;
-        lengths_.push_back(lengths_.back() + piece(from, to));
-        const double speed = (lengths_.back() - lengths_[lengths_.size() - 2]) * kPanels;
-        slowest_ = std::min(slowest_, speed);
-        fastest_ = std::max(fastest_, speed);
+        double mean = 0.0;
+        for (std::size_t q = 0; q < kNodes.size(); ++q) {
+            mean += kWeights[q] * speed((k + kNodes[q]) / kPanels);
+        }
+        slowest = std::min(slowest, mean);
+        fastest = std::max(fastest, mean);
+        lengths_.push_back(lengths_.back() + mean / kPanels);
+        speeds_.push_back(speed((k + 1.0) / kPanels));
     }
-    even_ = fastest_ < kEven * slowest_;
+    even_ = fastest < (is_quadratic(ribbon) ? kEvenIfQuadratic : kEven) * slowest;
 }
 
-double Course::piece(double from, double to) const {
-    double sum = 0.0;
-    for (std::size_t q = 0; q < kNodes.size(); ++q) {
-        sum += kWeights[q] * at_(from + (to - from) * kNodes[q]).tangent.norm();
-    }
-    return sum * (to - from);
+std::pair<std::size_t, double> Course::panel_of(double s) const {
+    const int panel = std::clamp(static_cast<int>(s * kPanels), 0, kPanels - 1);
+    return {static_cast<std::size_t>(panel), s * kPanels - panel};
+}
+
+std::pair<double, double> Course::length_in(std::size_t panel, double t) const {
+    const double rise = lengths_[panel + 1] - lengths_[panel];
+    // No slope beyond three times the mean: the cubic then rises everywhere.
+    const double a = std::min(speeds_[panel] / kPanels, 3.0 * rise);
+    const double b = std::min(speeds_[panel + 1] / kPanels, 3.0 * rise);
+    const double square = 3.0 * rise - 2.0 * a - b;
+    const double cube = a + b - 2.0 * rise;
+    return {lengths_[panel] + t * (a + t * (square + t * cube)),
+            a + t * (2.0 * square + 3.0 * t * cube)};
 }
 
 double Course::length_of(double s) const {
     if (even_) {
         return s * length();
     }
-    const int panel = std::clamp(static_cast<int>(s * kPanels), 0, kPanels - 1);
-    return lengths_[static_cast<std::size_t>(panel)] +
-           piece(static_cast<double>(panel) / kPanels, s);
+    const auto [panel, t] = panel_of(s);
+    return length_in(panel, t).first;
 }
 
-double Course::s_of(double length_wanted) const {
+double Course::speed_of(double s) const {
     if (even_) {
-        return length_wanted / length();
+        return length();
     }
-    const auto after = std::upper_bound(lengths_.begin() + 1, lengths_.end() - 1, length_wanted);
-    const auto panel = static_cast<double>(after - lengths_.begin() - 1);
-    double low = panel / kPanels;
-    double high = (panel + 1.0) / kPanels;
-    double s = low + (high - low) * (length_wanted - *(after - 1)) / (*after - *(after - 1));
+    const auto [panel, t] = panel_of(s);
+    return length_in(panel, t).second * kPanels;
+}
+
+double Course::s_of(double wanted) const {
+    if (even_) {
+        return wanted / length();
+    }
+    const auto after = std::upper_bound(lengths_.begin() + 1, lengths_.end() - 1, wanted);
+    const auto panel = static_cast<std::size_t>(after - lengths_.begin() - 1);
+    double low = 0.0;
+    double high = 1.0;
+    double t = (wanted - lengths_[panel]) / (lengths_[panel + 1] - lengths_[panel]);
     constexpr int kMostSteps = 60;
     for (int step = 0; step < kMostSteps; ++step) {
-        const double off = length_of(s) - length_wanted;
-        (off > 0.0 ? high : low) = s;
-        const double speed = at_(s).tangent.norm();
-        double next = speed > 0.0 ? s - off / speed : 0.5 * (low + high);
+        const auto [reached, slope] = length_in(panel, t);
+        (reached > wanted ? high : low) = t;
+        double next = t - (reached - wanted) / slope;
         if (!(next > low && next < high)) {
             next = 0.5 * (low + high);
         }
-        if (std::abs(next - s) <= 1e-16 + 1e-15 * std::abs(s)) {
+        const bool done = std::abs(next - t) <= 1e-15;
+        t = next;
+        if (done) {
             break;
         }
-        s = next;
     }
-    return s;
+    return (static_cast<double>(panel) + t) / kPanels;
 }
 
 }  // namespace suture::tube

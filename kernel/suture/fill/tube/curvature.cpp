@@ -10,9 +10,9 @@ namespace suture::tube {
 namespace {
 
 using Eigen::Vector3d;
-using Eigen::VectorXd;
-using Sparse = Eigen::SparseMatrix<double>;
-using Entries = std::vector<Eigen::Triplet<double>>;
+using RealVector3 = Eigen::Matrix<Real, 3, 1>;
+using Sparse = RealSparse;
+using Entries = std::vector<Eigen::Triplet<Real>>;
 
 constexpr int kMostSteps = 60;
 /// Conditions are met up to rounding: relative to the largest |D|^2 kappa or <r_uu, N>.
@@ -22,16 +22,16 @@ constexpr int kMostHalvings = 20;
 
 /// One condition: kappa |T p|^2 - l.p = 0, with T p = D and l.p = <r_uu, N> linear in the points.
 struct Condition {
-    double kappa = 0.0;
-    Eigen::SparseMatrix<double> tangent;  ///< 3 x unknowns
-    Vector3d tangent_fixed;
-    Eigen::SparseVector<double> bend;  ///< unknowns
-    double bend_fixed = 0.0;
+    Real kappa = 0.0;
+    Sparse tangent;  ///< 3 x unknowns
+    RealVector3 tangent_fixed;
+    Eigen::SparseVector<Real> bend;  ///< unknowns
+    Real bend_fixed = 0.0;
 
     // NOLINTNEXTLINE(readability-identifier-naming): the paper's letter
-    [[nodiscard]] Vector3d D(const VectorXd& x) const { return tangent * x + tangent_fixed; }
-    [[nodiscard]] double bending(const VectorXd& x) const { return bend.dot(x) + bend_fixed; }
-    [[nodiscard]] double value(const VectorXd& x) const {
+    [[nodiscard]] RealVector3 D(const RealVector& x) const { return tangent * x + tangent_fixed; }
+    [[nodiscard]] Real bending(const RealVector& x) const { return bend.dot(x) + bend_fixed; }
+    [[nodiscard]] Real value(const RealVector& x) const {
         return kappa * D(x).squaredNorm() - bending(x);
     }
 };
@@ -48,7 +48,7 @@ Vector3d second_derivative(const Net& net) {
 std::vector<Condition> conditions_of(const Net& net, const FairingTask& task,
                                      const Unknowns& unknowns) {
     const Vector3d second = second_derivative(net);
-    const Eigen::SparseMatrix<double, Eigen::RowMajor> map = unknowns.map;
+    const Eigen::SparseMatrix<Real, Eigen::RowMajor> map = unknowns.map.cast<Real>();
     std::vector<Condition> conditions;
     for (int k = 0; k < net.columns(); ++k) {
         const double g = net.ring.interval(k);
@@ -66,15 +66,15 @@ std::vector<Condition> conditions_of(const Net& net, const FairingTask& task,
         for (int j = 0; j < 3; ++j) {
             for (int i = 0; i < 3; ++i) {
                 const int point = 3 * net.index(i, local.first + j);
-                const double share = local.basis(0, j);
-                const double slope = i == 2 ? 0.0 : (i == 0 ? -3.0 : 3.0) / net.first_step();
+                const Real share = local.basis(0, j);
+                const Real slope = i == 2 ? 0.0 : (i == 0 ? -3.0 : 3.0) / net.first_step();
                 for (int c = 0; c < 3; ++c) {
-                    const Eigen::SparseVector<double> row = map.row(point + c).transpose();
-                    for (Eigen::SparseVector<double>::InnerIterator it(row); it; ++it) {
+                    const Eigen::SparseVector<Real> row = map.row(point + c).transpose();
+                    for (Eigen::SparseVector<Real>::InnerIterator it(row); it; ++it) {
                         condition.tangent.coeffRef(c, it.index()) += share * slope * it.value();
                     }
                     condition.tangent_fixed[c] += share * slope * unknowns.fixed[point + c];
-                    const double normal = share * second[i] * task.closing.normal[c];
+                    const Real normal = share * second[i] * task.closing.normal[c];
                     condition.bend += normal * row;
                     condition.bend_fixed += normal * unknowns.fixed[point + c];
                 }
@@ -87,14 +87,14 @@ std::vector<Condition> conditions_of(const Net& net, const FairingTask& task,
 
 /// The conditions' values, and how far they are from being met.
 struct State {
-    VectorXd values;
-    double defect = 0.0;    ///< in curvature
-    double relative = 0.0;  ///< to the conditions' terms at the start
+    RealVector values;
+    Real defect = 0.0;    ///< in curvature
+    Real relative = 0.0;  ///< to the conditions' terms at the start
 };
 
 /// The size of the conditions' terms.
-double size_at(const std::vector<Condition>& conditions, const VectorXd& x) {
-    double size = 0.0;
+Real size_at(const std::vector<Condition>& conditions, const RealVector& x) {
+    Real size = 0.0;
     for (const Condition& condition : conditions) {
         size = std::max({size, std::abs(condition.bending(x)),
                          std::abs(condition.kappa) * condition.D(x).squaredNorm()});
@@ -102,11 +102,11 @@ double size_at(const std::vector<Condition>& conditions, const VectorXd& x) {
     return size;
 }
 
-State state_at(const std::vector<Condition>& conditions, const VectorXd& x, double size) {
+State state_at(const std::vector<Condition>& conditions, const RealVector& x, Real size) {
     State state;
     state.values.resize(static_cast<Eigen::Index>(conditions.size()));
     for (std::size_t k = 0; k < conditions.size(); ++k) {
-        const double value = conditions[k].value(x);
+        const Real value = conditions[k].value(x);
         state.values[static_cast<Eigen::Index>(k)] = value;
         state.defect = std::max(state.defect, std::abs(value) / conditions[k].D(x).squaredNorm());
     }
@@ -120,8 +120,8 @@ struct Kkt {
     Sparse gradients;  ///< conditions x unknowns
 };
 
-Kkt kkt_at(const std::vector<Condition>& conditions, const Quadratic& objective, const VectorXd& x,
-           const VectorXd& multipliers) {
+Kkt kkt_at(const std::vector<Condition>& conditions, const Quadratic& objective,
+           const RealVector& x, const RealVector& multipliers) {
     const int n = static_cast<int>(x.size());
     const int m = static_cast<int>(conditions.size());
     Entries upper;
@@ -134,16 +134,16 @@ Kkt kkt_at(const std::vector<Condition>& conditions, const Quadratic& objective,
     for (int k = 0; k < m; ++k) {
         const Condition& condition = conditions[static_cast<std::size_t>(k)];
         const Sparse curved = condition.tangent.transpose() * condition.tangent;
-        const double factor = 2.0 * condition.kappa * multipliers[k];
+        const Real factor = Real(2) * condition.kappa * multipliers[k];
         for (int j = 0; j < curved.outerSize(); ++j) {
             for (Sparse::InnerIterator it(curved, j); it; ++it) {
                 upper.emplace_back(static_cast<int>(it.row()), static_cast<int>(it.col()),
                                    factor * it.value());
             }
         }
-        const Eigen::VectorXd slope =
-            2.0 * condition.kappa * (condition.tangent.transpose() * condition.D(x)) -
-            Eigen::VectorXd(condition.bend);
+        const RealVector slope =
+            Real(2) * condition.kappa * (condition.tangent.transpose() * condition.D(x)) -
+            RealVector(condition.bend);
         for (int i = 0; i < n; ++i) {
             if (slope[i] != 0.0) {
                 gradients.emplace_back(k, i, slope[i]);
@@ -163,36 +163,36 @@ Kkt kkt_at(const std::vector<Condition>& conditions, const Quadratic& objective,
 }  // namespace
 
 Result<Bent> bend(const Net& net, const FairingTask& task, const Unknowns& unknowns,
-                  const Quadratic& objective, const VectorXd& start) {
+                  const Quadratic& objective, const RealVector& start) {
     const std::vector<Condition> conditions = conditions_of(net, task, unknowns);
     const auto m = static_cast<Eigen::Index>(conditions.size());
     Bent bent{start, 0, 0.0};
-    VectorXd multipliers = VectorXd::Zero(m);
-    const double size = size_at(conditions, start);
-    double last_step = INFINITY;
+    RealVector multipliers = RealVector::Zero(m);
+    const Real size = size_at(conditions, start);
+    Real last_step = INFINITY;
     for (; bent.steps < kMostSteps; ++bent.steps) {
         const State state = state_at(conditions, bent.x, size);
-        bent.defect = state.defect;
+        bent.defect = static_cast<double>(state.defect);
         if (state.relative < kAccuracy && last_step < std::sqrt(kAccuracy)) {
             return bent;
         }
         const Kkt kkt = kkt_at(conditions, objective, bent.x, multipliers);
-        const VectorXd slope = objective.hessian * bent.x + objective.gradient;
-        VectorXd right(bent.x.size() + m);
+        const RealVector slope = objective.hessian * bent.x + objective.gradient;
+        RealVector right(bent.x.size() + m);
         right << -slope, -state.values;
         Eigen::SparseLU<Sparse> factor(kkt.matrix);
         if (factor.info() != Eigen::Success) {
             break;
         }
-        const VectorXd step = factor.solve(right);
-        const VectorXd move = step.head(bent.x.size());
+        const RealVector step = factor.solve(right);
+        const RealVector move = step.head(bent.x.size());
         if (!move.allFinite()) {
             break;
         }
         // A step may make the conditions worse, but not much worse.
-        const double most = std::max(2.0 * state.relative, 1.0);
-        double length = 1.0;
-        for (int k = 0; k < kMostHalvings; ++k, length *= 0.5) {
+        const Real most = std::max(Real(2) * state.relative, Real(1));
+        Real length = 1.0;
+        for (int k = 0; k < kMostHalvings; ++k, length /= 2) {
             if (state_at(conditions, bent.x + length * move, size).relative < most) {
                 break;
             }

@@ -11,12 +11,12 @@ namespace suture::tube {
 
 /// x^T hessian x / 2 + gradient^T x
 struct Quadratic {
-    Eigen::SparseMatrix<double> hessian;
-    Eigen::VectorXd gradient;
+    RealSparse hessian;
+    RealVector gradient;
 };
 
 struct Bent {
-    Eigen::VectorXd x;
+    RealVector x;
     int steps = 0;
     double defect = 0.0;  ///< largest difference from a curvature asked for
 };
@@ -29,7 +29,7 @@ struct Bent {
 /// Deviation: all conditions at once and free rows, instead of one patch after the other with the
 ///          tangents' magnitudes alone, which these conditions would fix already.
 [[nodiscard]] Result<Bent> bend(const Net& net, const FairingTask& task, const Unknowns& unknowns,
-                                const Quadratic& objective, const Eigen::VectorXd& x);
+                                const Quadratic& objective, const RealVector& x);
 
 /// The normal curvature towards the normal at the pole along r_u(0, v).
 [[nodiscard]] double pole_curvature(const Net& net, const Eigen::Vector3d& normal, int interval,

@@ -24,32 +24,34 @@ std::vector<Term> terms_of(Functional functional) {
 
 }  // namespace
 
-Eigen::SparseMatrix<double> energy_matrix(const Net& net, Functional functional) {
+RealSparse energy_matrix(const Net& net, Functional functional) {
     const int rows = net.rows();
-    std::vector<Eigen::Triplet<double>> entries;
+    std::vector<Eigen::Triplet<Real>> entries;
     for (const Term& term : terms_of(functional)) {
-        const Eigen::MatrixXd across = cubic_gram(net.knots_u, term.a);
-        const Eigen::SparseMatrix<double> around = net.ring.gram(term.b);
+        const RealMatrix across = cubic_gram(net.knots_u, term.a);
+        const RealSparse around = net.ring.gram(term.b);
         for (int j = 0; j < around.outerSize(); ++j) {
-            for (Eigen::SparseMatrix<double>::InnerIterator it(around, j); it; ++it) {
+            for (RealSparse::InnerIterator it(around, j); it; ++it) {
                 for (int r = 0; r < rows; ++r) {
                     for (int c = std::max(0, r - kDegreeU); c <= std::min(rows - 1, r + kDegreeU);
                          ++c) {
-                        entries.emplace_back(r + rows * static_cast<int>(it.row()),
-                                             c + rows * static_cast<int>(it.col()),
-                                             term.weight * across(r, c) * it.value());
+                        entries.emplace_back(
+                            r + rows * static_cast<int>(it.row()),
+                            c + rows * static_cast<int>(it.col()),
+                            static_cast<Real>(term.weight) * across(r, c) * it.value());
                     }
                 }
             }
         }
     }
-    Eigen::SparseMatrix<double> matrix(net.points.cols(), net.points.cols());
+    RealSparse matrix(net.points.cols(), net.points.cols());
     matrix.setFromTriplets(entries.begin(), entries.end());
     return matrix;
 }
 
-double energy(const Net& net, const Eigen::SparseMatrix<double>& matrix) {
-    return (net.points * matrix * net.points.transpose()).trace();
+double energy(const Net& net, const RealSparse& matrix) {
+    const RealMatrix points = net.points.cast<Real>();
+    return static_cast<double>((points * matrix * points.transpose()).trace());
 }
 
 }  // namespace suture::tube

@@ -11,13 +11,11 @@
 namespace suture::tube {
 namespace {
 
-using Eigen::Matrix3d;
-using Eigen::VectorXd;
-using Sparse = Eigen::SparseMatrix<double>;
+using Sparse = RealSparse;
 
 /// The same form for x, y and z of each point.
 Sparse for_all_coordinates(const Sparse& matrix) {
-    std::vector<Eigen::Triplet<double>> entries;
+    std::vector<Eigen::Triplet<Real>> entries;
     entries.reserve(3 * static_cast<std::size_t>(matrix.nonZeros()));
     for (int j = 0; j < matrix.outerSize(); ++j) {
         for (Sparse::InnerIterator it(matrix, j); it; ++it) {
@@ -36,26 +34,29 @@ Sparse for_all_coordinates(const Sparse& matrix) {
 /// complement; the mean over the three directions.
 double pole_stiffness(const Sparse& hessian, int pole) {
     const Sparse others = hessian.topLeftCorner(pole, pole);
-    const Eigen::MatrixXd coupling = hessian.topRightCorner(pole, 3);
-    const Matrix3d own = Matrix3d(Sparse(hessian.bottomRightCorner(3, 3)));
-    Matrix3d schur = own;
+    const RealMatrix coupling = hessian.topRightCorner(pole, 3);
+    RealMatrix schur = Sparse(hessian.bottomRightCorner(3, 3));
     if (pole > 0) {
         const Eigen::SimplicialLDLT<Sparse> factor(others);
         SUTURE_EXPECTS(factor.info() == Eigen::Success);
         schur -= coupling.transpose() * factor.solve(coupling);
     }
-    return schur.trace() / 3.0;
+    return static_cast<double>(schur.trace() / 3.0L);
 }
 
 }  // namespace
 
 Result<Fairing> close(const Net& net, const FairingTask& task) {
     const Unknowns unknowns(net, task);
-    const Sparse matrix = energy_matrix(net, task.functional);
+    SUTURE_EXPECTS(task.chart || task.functional != Functional::Plate);
+    const Sparse matrix = task.functional == Functional::Plate
+                              ? plate_matrix(net, *task.chart)
+                              : energy_matrix(net, task.functional);
     const Sparse all = for_all_coordinates(matrix);
+    const Sparse map = unknowns.map.cast<Real>();
     Quadratic objective;
-    objective.hessian = unknowns.map.transpose() * all * unknowns.map;
-    objective.gradient = unknowns.map.transpose() * (all * unknowns.fixed);
+    objective.hessian = Sparse(map.transpose()) * all * map;
+    objective.gradient = map.transpose() * (all * unknowns.fixed.cast<Real>());
     if (task.moving) {
         double weight = task.moving->weight;
         if (task.moving->relative) {
@@ -66,11 +67,17 @@ Result<Fairing> close(const Net& net, const FairingTask& task) {
             objective.gradient[unknowns.pole + c] -= weight * task.closing.pole[c];
         }
     }
-    VectorXd x(unknowns.count());
+    RealVector x(unknowns.count());
     if (unknowns.count() > 0) {
         const Eigen::SimplicialLDLT<Sparse> factor(objective.hessian);
-        SUTURE_EXPECTS(factor.info() == Eigen::Success);
-        x = factor.solve(-objective.gradient);
+        if (factor.info() == Eigen::Success) {
+            x = factor.solve(-objective.gradient);
+        }
+        if (factor.info() != Eigen::Success || !x.allFinite()) {
+            return fail(ErrorCode::Refused,
+                        "the rays from the closing point to the border turn back: no fairest "
+                        "surface over them is found");
+        }
     }
     Fairing result{net, {}, task.closing.pole, 0.0, 0, 0.0};
     if (!task.curvatures.empty()) {
@@ -82,9 +89,9 @@ Result<Fairing> close(const Net& net, const FairingTask& task) {
         result.steps = bent->steps;
         result.defect = bent->defect;
     }
-    result.net.points = unknowns.points(x);
+    result.net.points = unknowns.points(x.cast<double>());
     if (task.moving) {
-        result.pole = x.tail<3>();
+        result.pole = x.tail<3>().cast<double>();
     }
     // Row 0 is one point to the last bit, so that the pole is a point in every file.
     for (int j = 0; j < net.columns(); ++j) {

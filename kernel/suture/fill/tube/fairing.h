@@ -1,6 +1,7 @@
 #pragma once
 
 #include "suture/base/result.h"
+#include "suture/fill/tube/chart.h"
 #include "suture/fill/tube/net.h"
 
 #include <Eigen/Core>
@@ -11,18 +12,20 @@
 
 namespace suture::tube {
 
-/// The fairness functionals, integrals of squares over the parameters; equations (24) to (26).
+/// The fairness functionals; F1 to F3 are integrals of squares over the parameters, equations (24)
+/// to (26).
 enum class Functional {
-    F1,  ///< |r_uu|^2 + 2 |r_uv|^2 + |r_vv|^2
-    F2,  ///< F1 + |r_u|^2 + |r_v|^2
-    F3,  ///< F1 + |r_uuu|^2
+    F1,     ///< |r_uu|^2 + 2 |r_uv|^2 + |r_vv|^2
+    F2,     ///< F1 + |r_u|^2 + |r_v|^2
+    F3,     ///< F1 + |r_uuu|^2
+    Plate,  ///< the thin plate in a chart, instead of in the parameters (chart.h)
 };
 
-/// The quadratic form of a functional on a net's points, one coordinate at a time.
-[[nodiscard]] Eigen::SparseMatrix<double> energy_matrix(const Net& net, Functional functional);
+/// The quadratic form of F1, F2 or F3 on a net's points, one coordinate at a time. Exact.
+[[nodiscard]] RealSparse energy_matrix(const Net& net, Functional functional);
 
 /// The value of a functional.
-[[nodiscard]] double energy(const Net& net, const Eigen::SparseMatrix<double>& matrix);
+[[nodiscard]] double energy(const Net& net, const RealSparse& matrix);
 
 /// What closes the tube: the pole, its unit normal, and for each column the unit direction in which
 /// it leaves the pole, perpendicular to the normal.
@@ -41,7 +44,8 @@ struct PoleWeight {
 struct FairingTask {
     Closing closing;
     Functional functional = Functional::F3;
-    bool free_rows = true;  ///< the rows between are unknowns too, else they stay as they are
+    std::optional<Chart> chart;  ///< of the plate
+    bool free_rows = true;       ///< the rows between are unknowns too, else they stay as they are
     std::optional<std::vector<double>> magnitudes;  ///< of the end tangents, given; else unknowns
     std::optional<PoleWeight> moving;               ///< else the pole stays
     /// Normal curvatures at the pole, towards the closing's normal: none, one for all directions,
@@ -62,7 +66,8 @@ struct Fairing {
 ///
 /// Input    net: its last two rows are kept; `free_rows` false: all but the first two. At a double
 ///          knot every other row has continuous tangents.
-/// Refuses  curvatures that Newton's method does not reach.
+/// Refuses  a chart that folds so that nothing can be minimised over it; curvatures that Newton's
+///          method does not reach.
 /// Source   Szilvasi-Nagy 2002, sections 4 to 6.
 [[nodiscard]] Result<Fairing> close(const Net& net, const FairingTask& task);
 

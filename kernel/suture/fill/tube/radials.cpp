@@ -77,15 +77,6 @@ std::vector<Sight> sights_of(const RibbonLoop& loop, const mvs::Layout& layout) 
     return sights;
 }
 
-/// Below this turn of the border in the plane a corner is none.
-constexpr double kCorner = radians(2.0);
-
-double turn_between(const mvs::DomainCurve& before, const mvs::DomainCurve& after) {
-    const Vector2d a = before.derivative(1.0);
-    const Vector2d b = after.derivative(0.0);
-    return std::atan2(a.x() * b.y() - a.y() * b.x(), a.dot(b));
-}
-
 /// The centroid of the area that a layout encloses.
 Vector2d centroid(const std::vector<Sight>& sights) {
     Vector2d sum = Vector2d::Zero();
@@ -145,22 +136,8 @@ Vector2d Radials::in_plane(int side, double s) const {
 Vector3d Radials::outward(int side, double s, const RibbonPoint& at) const {
     if (layout_) {
         const auto i = static_cast<std::size_t>(side);
-        const std::size_t n = layout_->curves.size();
         const Vector2d along = layout_->curves[i].derivative(s).normalized();
-        Vector2d from = in_plane(side, s);
-        // Deviation: towards a corner the radial turns into the bisector, since the columns near a
-        // corner cross where it leaves along a side; from the middle of the side on it is radial.
-        const double share = (1.0 - 2.0 * s) * (1.0 - 2.0 * s);
-        const double turn = s < 0.5
-                                ? turn_between(layout_->curves[(i + n - 1) % n], layout_->curves[i])
-                                : turn_between(layout_->curves[i], layout_->curves[(i + 1) % n]);
-        if (std::abs(turn) > kCorner) {
-            const Vector2d bisector =
-                Eigen::Rotation2Dd(-0.5 * kPi) *
-                (Eigen::Rotation2Dd((s < 0.5 ? -1.0 : 1.0) * 0.5 * turn) * along);
-            from =
-                from.norm() * ((1.0 - share) * from.normalized() + share * bisector).normalized();
-        }
+        const Vector2d from = in_plane(side, s);
         return along.dot(from) * at.tangent.normalized() +
                (along.x() * from.y() - along.y() * from.x()) * at.inward;
     }

@@ -44,37 +44,41 @@ Ring::Local Ring::at(double v, int orders) const {
     return on(find_span(knots_, 2, v) - 2, v, orders);
 }
 
-Eigen::SparseMatrix<double> Ring::gram(int b) const {
-    std::vector<Eigen::Triplet<double>> entries;
+RealSparse Ring::gram(int b) const {
+    std::vector<Eigen::Triplet<Real>> entries;
     for (int k = 0; k < columns(); ++k) {
         const double g = interval(k);
         for (std::size_t q = 0; q < kNodes.size() && g > 0.0; ++q) {
             const Local local = on(k, start(k) + g * kNodes[q], b);
             for (int r = 0; r < 3; ++r) {
                 for (int c = 0; c < 3; ++c) {
-                    entries.emplace_back(wrapped(k + r), wrapped(k + c),
-                                         kWeights[q] * g * local.basis(b, r) * local.basis(b, c));
+                    entries.emplace_back(
+                        wrapped(k + r), wrapped(k + c),
+                        Real(kWeights[q] * g) * local.basis(b, r) * local.basis(b, c));
                 }
             }
         }
     }
-    Eigen::SparseMatrix<double> gram(columns(), columns());
+    RealSparse gram(columns(), columns());
     gram.setFromTriplets(entries.begin(), entries.end());
     return gram;
 }
 
-Eigen::MatrixXd cubic_gram(const std::vector<double>& knots, int a) {
+RealMatrix cubic_gram(const std::vector<double>& knots, int a) {
     constexpr int kDegree = 3;
     const int rows = static_cast<int>(knots.size()) - kDegree - 1;
-    Eigen::MatrixXd gram = Eigen::MatrixXd::Zero(rows, rows);
+    RealMatrix gram = RealMatrix::Zero(rows, rows);
     for (int span = kDegree; span < rows; ++span) {
         const double low = knots[static_cast<std::size_t>(span)];
         const double h = knots[static_cast<std::size_t>(span) + 1] - low;
         for (std::size_t q = 0; q < kNodes.size() && h > 0.0; ++q) {
-            const Eigen::VectorXd b =
-                basis_derivatives(knots, kDegree, span, low + h * kNodes[q], a).row(a);
+            const Eigen::Matrix<Real, Eigen::Dynamic, 1> b =
+                basis_derivatives(knots, kDegree, span, low + h * kNodes[q], a)
+                    .row(a)
+                    .transpose()
+                    .cast<Real>();
             gram.block(span - kDegree, span - kDegree, kDegree + 1, kDegree + 1) +=
-                kWeights[q] * h * b * b.transpose();
+                Real(kWeights[q] * h) * b * b.transpose();
         }
     }
     return gram;

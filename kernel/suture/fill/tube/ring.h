@@ -7,6 +7,13 @@
 
 namespace suture::tube {
 
+/// Energies and what is solved with them: next to corners the intervals are so short that double
+/// precision would lose the smooth part of a surface in the rounding of their share.
+using Real = long double;
+using RealMatrix = Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic>;
+using RealSparse = Eigen::SparseMatrix<Real>;
+using RealVector = Eigen::Matrix<Real, Eigen::Dynamic, 1>;
+
 /// Quadratic B-splines around a closed curve: as many columns as knot intervals. An interval of
 /// zero length is a double knot, where a row passes through its column and may have a corner.
 ///
@@ -48,7 +55,7 @@ class Ring {
     [[nodiscard]] const std::vector<Double>& doubles() const { return doubles_; }
 
     /// Integrals of products of b-th derivatives of the basis functions, exact.
-    [[nodiscard]] Eigen::SparseMatrix<double> gram(int b) const;
+    [[nodiscard]] RealSparse gram(int b) const;
 
   private:
     std::vector<double> intervals_;
@@ -57,6 +64,6 @@ class Ring {
 };
 
 /// The same for the clamped cubic knots across.
-[[nodiscard]] Eigen::MatrixXd cubic_gram(const std::vector<double>& knots, int a);
+[[nodiscard]] RealMatrix cubic_gram(const std::vector<double>& knots, int a);
 
 }  // namespace suture::tube

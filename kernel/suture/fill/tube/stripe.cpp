@@ -17,12 +17,16 @@ using Eigen::Vector3d;
 /// Quadratic B-splines along pieces, with the intervals before and after them.
 struct Line {
     std::vector<double> intervals;
-    bool closed;
+    Ends ends;
 
     [[nodiscard]] int count() const { return static_cast<int>(intervals.size()); }
     [[nodiscard]] double interval(int k) const {
         const int m = count();
-        return intervals[static_cast<std::size_t>(closed ? (k + m) % m : std::clamp(k, 0, m - 1))];
+        if (ends == Ends::Clamped && (k < 0 || k >= m)) {
+            return 0.0;
+        }
+        return intervals[static_cast<std::size_t>(ends == Ends::Closed ? (k + m) % m
+                                                                       : std::clamp(k, 0, m - 1))];
     }
     /// The two inner knots of column k + j on interval k, in the parameter x of that interval: a
     /// column's point is the blossom of the polynomial there.
@@ -92,9 +96,10 @@ std::vector<double> chord_lengths(const std::vector<Piece>& pieces) {
 }
 
 Eigen::Matrix3Xd march(const std::vector<Piece>& pieces, const std::vector<double>& intervals,
-                       bool closed) {
+                       Ends ends) {
     SUTURE_EXPECTS(pieces.size() == intervals.size() && pieces.size() >= 3);
-    const Line line{intervals, closed};
+    const Line line{intervals, ends};
+    const bool closed = ends == Ends::Closed;
     const int m = line.count();
     Eigen::Matrix3Xd columns(3, m + 2);
     for (int k = 0; k < m; ++k) {
@@ -111,9 +116,10 @@ Eigen::Matrix3Xd march(const std::vector<Piece>& pieces, const std::vector<doubl
 }
 
 Eigen::Matrix3Xd fit_all(const std::vector<Piece>& pieces, const std::vector<double>& intervals,
-                         bool closed) {
+                         Ends ends) {
     SUTURE_EXPECTS(pieces.size() == intervals.size() && pieces.size() >= 3);
-    const Line line{intervals, closed};
+    const Line line{intervals, ends};
+    const bool closed = ends == Ends::Closed;
     const int m = line.count();
     // The square of a quadratic's coefficients in Legendre polynomials on [0,1] is its integral.
     Eigen::Matrix3d legendre;

@@ -10,8 +10,8 @@
 
 /// The paper's preliminary stripe: quadratic pieces of the border and of its tangent field, and the
 /// control points that have them as their curve. The method itself interpolates the border
-/// (border.h), which is more exact than either; both are exact where the pieces join with a
-/// continuous tangent.
+/// (border_fit.h), which is more exact than either, unless it is asked for these; both are exact
+/// where the pieces join with a continuous tangent.
 namespace suture::tube {
 
 /// a0 + a1 x + a2 x^2 for x in [0,1], one column each.
@@ -30,17 +30,23 @@ using Curve = std::function<Eigen::Vector3d(double t)>;
 /// Knot intervals around in proportion to the pieces' chords, as many as pieces, their mean 1.
 [[nodiscard]] std::vector<double> chord_lengths(const std::vector<Piece>& pieces);
 
+/// What is beyond the ends of a row of intervals.
+enum class Ends {
+    Repeated,  ///< the outermost intervals again
+    Clamped,   ///< none: the spline ends in its first and last column
+    Closed,    ///< the intervals go around; the last two columns are the first two
+};
+
 /// Control points of the quadratic spline with these intervals, two more than pieces; interval k
-/// has columns k, k + 1 and k + 2. Beyond its ends the outermost intervals repeat, or, if closed,
-/// go around; then the last two columns are the first two.
+/// has columns k, k + 1 and k + 2.
 ///
 /// march      each piece in its turn sets its three columns, as equations (10) and (11) do, so that
 ///            the columns of the last one to come remain.
 /// fit_all    the least squares of the difference to all pieces at once.
 [[nodiscard]] Eigen::Matrix3Xd march(const std::vector<Piece>& pieces,
-                                     const std::vector<double>& intervals, bool closed);
+                                     const std::vector<double>& intervals, Ends ends);
 [[nodiscard]] Eigen::Matrix3Xd fit_all(const std::vector<Piece>& pieces,
-                                       const std::vector<double>& intervals, bool closed);
+                                       const std::vector<double>& intervals, Ends ends);
 
 /// The points in rows 0 and 1 of one patch of the closing part on uniform knots: equations (18) to
 /// (23). As they stand they give one patch its conditions (12) to (17); for a whole tube they would

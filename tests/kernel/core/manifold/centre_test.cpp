@@ -161,7 +161,8 @@ TEST(ManifoldLayout, GivesEveryInnerEdgeTheSamePointsOnBothSides) {
     for (const int n : {3, 5}) {
         const Star star = make_star(uneven(2, n));
         const StarSurface surface(star, rough_points(star));
-        const FillResult result = lay_out(surface, fit_centre(surface, 0.0, 8), {});
+        const FillResult result =
+            lay_out(surface, quads_of(surface, fit_centre(surface, 0.0, 8)), {});
         EXPECT_EQ(static_cast<int>(result.patches.size()), 2 * n);
         std::vector<std::vector<std::pair<const Patch*, const EdgeUse*>>> uses(
             result.inner_edges.size());

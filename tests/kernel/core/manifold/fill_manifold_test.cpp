@@ -125,6 +125,94 @@ TEST(FillManifold, MeetsTheCurvatureWhereItIsAskedTo) {
     EXPECT_LT(measure(g2, *curved).curvature, 0.5 * measure(g1, *plain).curvature);
 }
 
+/// Straight lines that run on into a half circle: the curvature jumps at two joints.
+std::vector<zoo::Curve> stadium_end() {
+    const auto line = [](Vector2d a, Vector2d b) {
+        return [a, b](double s) { return std::pair<Vector2d, Vector2d>(a + s * (b - a), b - a); };
+    };
+    const auto arc = [](double s) {
+        const double angle = M_PI * (s - 0.5);
+        const Vector2d out(std::cos(angle), std::sin(angle));
+        return std::pair<Vector2d, Vector2d>(Vector2d(0.3, 0.0) + 0.25 * out,
+                                             0.25 * M_PI * Vector2d(-out.y(), out.x()));
+    };
+    return {line({-0.2, -0.25}, {0.3, -0.25}), arc, line({0.3, 0.25}, {-0.2, 0.25}),
+            line({-0.2, 0.25}, {-0.4, 0.02}), line({-0.4, 0.02}, {-0.2, -0.25})};
+}
+
+TEST(FillManifold, FollowsACurvatureThatJumpsWhereRibbonsJoin) {
+    expect_met(zoo::window(zoo::saddle(0.4), stadium_end()), 6);
+}
+
+TEST(FillManifold, FollowsARingWithSharpTips) {
+    const Hole hole = zoo::window(zoo::saddle(0.3), zoo::star({0.1, 0.0}, 0.5, 0.2, 5, 5));
+    const auto result = fill_manifold(hole, options_for(hole));
+    ASSERT_TRUE(result) << result.error().message;
+    const Measured m = measure(hole, *result);
+    EXPECT_LT(m.gap, 1e-5);
+    EXPECT_LT(m.angle_deg, 0.02);
+}
+
+/// Ribbons that miss each other at a corner by a little, as files have them.
+TEST(FillManifold, ClosesCornersThatDoNotQuiteMeet) {
+    Hole hole = zoo::window(zoo::saddle(0.4), zoo::regular({0.1, 0.2}, 0.6, 5));
+    const double apart = 1e-4 * hole.diameter;
+    Ribbon& ribbon = hole.loops.front().ribbons[2];
+    ribbon.at = [at = ribbon.at, apart](double s) {
+        RibbonPoint point = at(s);
+        point.point += apart * point.normal;
+        return point;
+    };
+    FillOptions options = options_for(hole);
+    options.tolerance.angular = radians(0.1);
+    const auto result = fill_manifold(hole, options);
+    ASSERT_TRUE(result) << result.error().message;
+    const Measured m = measure(hole, *result);
+    EXPECT_LT(m.gap, 1e-4);
+    EXPECT_LT(m.angle_deg, 0.05);
+}
+
+/// Of a half round, far from flat and much longer than wide, where a plain net folds.
+TEST(FillManifold, DoesNotFoldInAHoleThatIsLongAndNarrow) {
+    const Hole hole = zoo::window(
+        zoo::cylinder(1.0), zoo::polygon({{-1.5, -0.02}, {1.5, -0.08}, {1.5, 0.08}, {-1.5, 0.02}}));
+    const auto result = fill_manifold(hole, options_for(hole));
+    ASSERT_TRUE(result) << result.error().message;
+    for (const Patch& patch : result->patches) {
+        const auto& spline = std::get<SplineSurface>(patch.surface);
+        if (patch.exact) {
+            continue;
+        }
+        constexpr int kGrid = 40;
+        for (int i = 0; i < kGrid; ++i) {
+            for (int j = 0; j < kGrid; ++j) {
+                const SurfaceJet jet = evaluate(spline, (i + 0.5) / kGrid, (j + 0.5) / kGrid);
+                const Vector3d out(jet.point.x(), jet.point.y(), 0.0);
+                EXPECT_GT(jet.u.cross(jet.v).normalized().dot(out.normalized()), 0.7);
+            }
+        }
+    }
+}
+
+TEST(FillManifold, WritesTheMiddleExactlyWhereThatIsAsked) {
+    const Hole hole = zoo::window(zoo::saddle(0.2), zoo::regular({0.1, 0.2}, 0.6, 5));
+    FillOptions options = options_for(hole);
+    options.tolerance.angular = radians(0.1);
+    OptionValue order;
+    order.kind = OptionKind::Count;
+    order.numbers = {1.0};
+    OptionValue form;
+    form.kind = OptionKind::Word;
+    form.word = "exact";
+    options.own = {{"k", order}, {"middle", form}};
+    const auto result = fill_manifold(hole, options);
+    ASSERT_TRUE(result) << result.error().message;
+    EXPECT_GT(result->patches.size(), 50U);
+    EXPECT_TRUE(std::all_of(result->patches.begin(), result->patches.end(),
+                            [](const Patch& patch) { return patch.exact; }));
+    EXPECT_LT(measure(hole, *result).angle_deg, 0.1);
+}
+
 std::string refusal(const Hole& hole, OptionValues own = {}) {
     FillOptions options = options_for(hole);
     options.own = std::move(own);

@@ -1,6 +1,5 @@
 #include "support/ribbon_zoo.h"
 #include "suture/fill/tube.h"
-#include "suture/fill/tube/border.h"
 #include "suture/fill/tube/fairing.h"
 #include "suture/fill/tube/pole.h"
 #include "suture/fill/tube/quality.h"
@@ -70,6 +69,27 @@ TEST(FillTube, MeetsItsNeighboursWithinTheTolerance) {
     }
 }
 
+/// The paper's ways to quadratic pieces and from these to columns, with as many as are needed.
+TEST(FillTube, MeetsItsNeighboursByThePapersPiecesToo) {
+    for (const Hole& hole : {zoo::suitcase_corner(6.0),
+                             zoo::window(zoo::torus(3.0, 1.0), zoo::circle({0.3, 0.2}, 0.3, 3))}) {
+        for (const char* border : {"interpolated", "bezier", "taylor"}) {
+            for (const char* join : {"fit", "march"}) {
+                FillOptions options = options_for(hole);
+                options.tolerance.linear = 1e-4 * hole.diameter;
+                options.tolerance.angular = radians(0.5);
+                options.own["border"] = {OptionKind::Word, {}, border};
+                options.own["join"] = {OptionKind::Word, {}, join};
+                const auto fill = fill_tube(hole, options);
+                ASSERT_TRUE(fill) << border << " " << join << ": " << fill.error().message;
+                const Worst worst = at_border(hole, fill->patches.front());
+                EXPECT_LT(worst.gap, options.tolerance.linear) << border << " " << join;
+                EXPECT_LT(worst.angle, options.tolerance.angular) << border << " " << join;
+            }
+        }
+    }
+}
+
 TEST(FillTube, IsCubicAcrossAndQuadraticAround) {
     const Hole hole = zoo::suitcase_corner(6.0);
     const auto fill = fill_tube(hole, options_for(hole));
@@ -127,23 +147,25 @@ TEST(FillTube, HasOneNormalAtThePole) {
 /// Position, rotation and scale of the hole make no difference.
 TEST(FillTube, IsTheSameInAnyPlaceAndSize) {
     const zoo::Surface torus = zoo::torus(3.0, 1.0);
-    const auto curves = zoo::circle({0.3, 0.2}, 0.3, 3);
-    const Hole plain = zoo::window(torus, curves);
-    const auto first = fill_tube(plain, options_for(plain));
-    ASSERT_TRUE(first);
     const Eigen::Matrix3d turn =
         Eigen::AngleAxisd(1.1, Vector3d(1, -2, 2).normalized()).toRotationMatrix();
-    for (const double scale : {1e-3, 1.0, 1e3}) {
-        const Vector3d shift = scale * Vector3d(3, -2, 5);
-        const Hole hole = zoo::window(zoo::moved(torus, scale * turn, shift), curves);
-        const auto fill = fill_tube(hole, options_for(hole));
-        ASSERT_TRUE(fill) << scale;
-        for (const double u : {0.0, 0.5, 1.3, 1.9}) {
-            for (const double v : {0.1, 5.0, 11.0}) {
-                const Vector3d a = evaluate(first->patches.front().surface, u, v).point;
-                const Vector3d b = evaluate(fill->patches.front().surface, u, v).point;
-                EXPECT_LT((scale * (turn * a) + shift - b).norm(), 1e-6 * hole.diameter)
-                    << scale << " " << u << " " << v;
+    for (const auto& curves :
+         {zoo::circle({0.3, 0.2}, 0.3, 3), zoo::star({0.3, 0.2}, 0.3, 0.2, 5, 5)}) {
+        const Hole plain = zoo::window(torus, curves);
+        const auto first = fill_tube(plain, options_for(plain));
+        ASSERT_TRUE(first);
+        for (const double scale : {1e-3, 1.0, 1e3}) {
+            const Vector3d shift = scale * Vector3d(3, -2, 5);
+            const Hole hole = zoo::window(zoo::moved(torus, scale * turn, shift), curves);
+            const auto fill = fill_tube(hole, options_for(hole));
+            ASSERT_TRUE(fill) << scale;
+            for (const double u : {0.0, 0.5, 1.3, 1.9}) {
+                for (const double v : {0.1, 5.0, 11.0}) {
+                    const Vector3d a = evaluate(first->patches.front().surface, u, v).point;
+                    const Vector3d b = evaluate(fill->patches.front().surface, u, v).point;
+                    EXPECT_LT((scale * (turn * a) + shift - b).norm(), 1e-6 * hole.diameter)
+                        << curves.size() << " sides, " << scale << " " << u << " " << v;
+                }
             }
         }
     }
@@ -151,7 +173,9 @@ TEST(FillTube, IsTheSameInAnyPlaceAndSize) {
 
 TEST(FillTube, ClosesWindowsInSpheresNearTheSphere) {
     const Hole hole = zoo::sphere_cap(2.0, 0.4, 3);
-    const auto fill = fill_tube(hole, options_for(hole));
+    FillOptions options = options_for(hole);
+    options.own["energy"] = {OptionKind::Word, {}, "F3"};  // of the functionals the roundest
+    const auto fill = fill_tube(hole, options);
     ASSERT_TRUE(fill);
     const Surface& surface = fill->patches.front().surface;
     EXPECT_NEAR(evaluate(surface, 0.0, 0.0).point.norm(), 2.0, 1e-6);
@@ -159,6 +183,73 @@ TEST(FillTube, ClosesWindowsInSpheresNearTheSphere) {
         for (const double v : {0.1, 3.0, 7.0}) {
             EXPECT_NEAR(evaluate(surface, u, v).point.norm(), 2.0, 0.02) << u << " " << v;
         }
+    }
+}
+
+/// A plane polygon with two reflex corners, long and thin: in plane and parameters alike there is a
+/// lot to fold.
+TEST(FillTube, StaysInThePlaneOfAPlaneHole) {
+    const Hole hole = zoo::window(zoo::wavy(0.0, 1.0), zoo::polygon({{-6, 0},
+                                                                     {6, 0},
+                                                                     {6, 0.6},
+                                                                     {5.4, 0.6},
+                                                                     {5.4, 1.0},
+                                                                     {-5.4, 1.0},
+                                                                     {-5.4, 0.6},
+                                                                     {-6, 0.6}}));
+    const auto fill = fill_tube(hole, options_for(hole));
+    ASSERT_TRUE(fill) << fill.error().message;
+    const Surface& surface = fill->patches.front().surface;
+    for (int i = 1; i <= 40; ++i) {
+        for (int j = 0; j < 400; ++j) {
+            const SurfaceJet jet = evaluate(surface, i / 20.0, 4.0 * kPi * (j + 0.5) / 400);
+            ASSERT_LT(std::abs(jet.point.z()), 1e-9);
+            ASSERT_GT(jet.u.cross(jet.v).z(), 0.0) << i << " " << j;
+        }
+    }
+}
+
+/// Real models' edges end apart by a little, and their faces lean by a little: that is neither a
+/// reason for ever shorter intervals nor for a bend.
+TEST(FillTube, SpreadsWhatTheEdgesAreOffByAtCorners) {
+    const double off = 1e-4;
+    const double lean = radians(0.05);
+    Hole hole = zoo::suitcase_corner(6.0);
+    const auto exact = fill_tube(hole, options_for(hole));
+    ASSERT_TRUE(exact);
+    Ribbon& ribbon = hole.loops.front().ribbons[1];
+    ribbon.at = [at = ribbon.at, off, lean](double s) {
+        RibbonPoint point = at(s);
+        const Eigen::AngleAxisd turn(lean, point.tangent.normalized());
+        point.point += off * point.normal;
+        point.normal = turn * point.normal;
+        point.inward = turn * point.inward;
+        return point;
+    };
+    const auto fill = fill_tube(hole, options_for(hole));
+    ASSERT_TRUE(fill) << fill.error().message;
+    const Worst worst = at_border(hole, fill->patches.front());
+    EXPECT_LT(worst.gap, 1.5 * off);
+    EXPECT_LT(worst.angle, 1.5 * lean);
+    const auto columns = [](const FillResult& result) {
+        return std::get<SplineSurface>(result.patches.front().surface).count_v();
+    };
+    EXPECT_LT(columns(*fill), 1.5 * columns(*exact));
+}
+
+/// A closed smooth edge is one tube, however many edges it is cut into.
+TEST(FillTube, HasNoCornersWhereSidesGoOnSmoothly) {
+    const zoo::Surface torus = zoo::torus(3.0, 1.0);
+    for (const int pieces : {1, 4}) {
+        const Hole hole = zoo::window(torus, zoo::circle({0.3, 0.2}, 0.3, pieces));
+        const auto fill = fill_tube(hole, options_for(hole));
+        ASSERT_TRUE(fill) << fill.error().message;
+        const auto& knots = std::get<SplineSurface>(fill->patches.front().surface).knots_v;
+        for (std::size_t k = 2; k + 3 < knots.size(); ++k) {
+            EXPECT_LT(knots[k], knots[k + 1]) << pieces;
+        }
+        const Worst worst = at_border(hole, fill->patches.front());
+        EXPECT_LT(worst.angle, radians(0.1));
     }
 }
 

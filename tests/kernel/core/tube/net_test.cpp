@@ -62,7 +62,7 @@ TEST(TubeRing, TellsWhereAMeanKeepsTangentsContinuous) {
 
 TEST(TubeRing, GramMatrixIsTheIntegral) {
     const Ring ring({1.0, 0.3, 0.0, 2.0, 0.7});
-    const Eigen::MatrixXd gram = ring.gram(1);
+    const Eigen::MatrixXd gram = RealMatrix(ring.gram(1)).cast<double>();
     Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(5, 5);
     constexpr int kSteps = 20000;
     for (int q = 0; q < kSteps; ++q) {

@@ -64,7 +64,8 @@ TEST(TubeStripe, MarchesAlongATorusAsExactlyAsThePaperSays) {
         const auto t = even(0.0, 0.5 * kPi, count);
         const auto pieces = taylor_pieces(on_torus, torus_first, torus_second, t);
         const std::vector<double> unit(static_cast<std::size_t>(count), 1.0);
-        EXPECT_NEAR(error_on_torus(march(pieces, unit, false), t), wanted[k], 1e-4) << count;
+        EXPECT_NEAR(error_on_torus(march(pieces, unit, Ends::Repeated), t), wanted[k], 1e-4)
+            << count;
     }
 }
 
@@ -74,7 +75,7 @@ TEST(TubeStripe, FittedAllAtOnceIsBetterStill) {
         const int count = 6 * (k + 1);
         const auto t = even(0.0, 0.5 * kPi, count);
         const std::vector<double> unit(static_cast<std::size_t>(count), 1.0);
-        const auto columns = fit_all(bezier_pieces(on_torus, t), unit, false);
+        const auto columns = fit_all(bezier_pieces(on_torus, t), unit, Ends::Repeated);
         EXPECT_LT(error_on_torus(columns, t), 1.3 * wanted[k]) << count;
     }
 }
@@ -98,7 +99,8 @@ TEST(TubeStripe, GivesBackASplineExactlyByEitherWay) {
         }
         pieces.push_back(piece);
     }
-    for (const auto& found : {march(pieces, intervals, true), fit_all(pieces, intervals, true)}) {
+    for (const auto& found :
+         {march(pieces, intervals, Ends::Closed), fit_all(pieces, intervals, Ends::Closed)}) {
         for (int j = 0; j < 7; ++j) {
             EXPECT_LT((found.col(j) - columns.col(j % 5)).norm(), 1e-13) << j;
         }
