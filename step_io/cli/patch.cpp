@@ -2,12 +2,9 @@
 
 #include "cli/arguments.h"
 #include "cli/options.h"
-#include "cli/report_json.h"
-#include "files/new_model.h"
+#include "cli/shell_output.h"
 #include "files/read_obj.h"
-#include "files/write.h"
-#include "suture/check/continuity.h"
-#include "suture/check/validity.h"
+#include "suture/base/tolerance.h"
 #include "suture/faces/make_shell.h"
 #include "suture/fill/manifold/cells.h"
 #include "suture/fill/manifold/layout.h"
@@ -71,27 +68,6 @@ Result<void> validate(Command& command, PatchOptions& options) {
     return expect_writable("-o", options.output, command.input, options.force);
 }
 
-/// What is measured on the finished shell.
-struct Measured {
-    double max_gap = 0.0;
-    double max_angle = 0.0;
-    Validity validity;
-};
-
-Result<Measured> measure(const TopoDS_Shape& shell, const Progress& progress) {
-    const auto report = measure_continuity(shell, Profile(), {}, progress);
-    if (!report) {
-        return tl::unexpected(report.error());
-    }
-    Measured measured;
-    for (const EdgeContinuity& edge : report->edges) {
-        measured.max_gap = std::max(measured.max_gap, edge.max_gap);
-        measured.max_angle = std::max(measured.max_angle, edge.max_angle);
-    }
-    measured.validity = measure_validity(shell);
-    return measured;
-}
-
 Result<Outcome> patch(Run& run, const Command& command, const PatchOptions& options) {
     Progress progress = run.stage(Stage::Reading, "reading", 0.0, 0.1);
     auto mesh = io::read_obj(command.input);
@@ -125,29 +101,19 @@ Result<Outcome> patch(Run& run, const Command& command, const PatchOptions& opti
         return tl::unexpected(shell.error());
     }
     const double seconds = watch.seconds();
-    progress = run.stage(Stage::Checking, "measuring edges", 0.6, 0.8);
-    const auto measured = measure(*shell, progress);
-    if (!measured) {
-        return tl::unexpected(measured.error());
-    }
-    progress = run.stage(Stage::Writing, "writing " + options.output.filename().string(), 0.8, 1.0);
-    const auto model = io::make_model(*shell, command.input.stem().string());
-    if (!model) {
-        return tl::unexpected(model.error());
-    }
-    const auto written = io::write_model(*model, options.output, options.format, {});
+    const auto written = write_shell(run, command, *shell, options.format, 0.6);
     if (!written) {
         return tl::unexpected(written.error());
     }
     const bool fitted = middle->error <= options.tolerance * diameter;
     Outcome outcome;
-    outcome.exit_code = fitted && measured->validity.valid ? kDone : kOutOfTolerance;
+    outcome.exit_code = fitted && written->validity.valid ? kDone : kOutOfTolerance;
     outcome.verdict = fmt::format(
         "wrote {}: {} sides, {} layers, k = {}, aperture {:.4g}; {}; {}, largest gap {:.3g}, angle "
         "{:.3g} deg",
         options.output.string(), star->n(), star->layers(), star->k(), star->aperture(),
-        middle->note, counted(measured->validity.faces, "face"), measured->max_gap,
-        degrees(measured->max_angle));
+        middle->note, counted(written->validity.faces, "face"), written->max_gap,
+        degrees(written->max_angle));
     outcome.document = {{"output", options.output.string()},
                         {"output_format", io::to_string(options.format)},
                         {"sides", star->n()},
@@ -159,10 +125,8 @@ Result<Outcome> patch(Run& run, const Command& command, const PatchOptions& opti
                         {"exact", middle->exact},
                         {"spans", middle->spans},
                         {"fit_error", middle->error},
-                        {"max_gap", measured->max_gap},
-                        {"max_angle_deg", degrees(measured->max_angle)},
-                        {"shape", json_of(measured->validity)},
                         {"seconds", seconds}};
+    outcome.document.update(json_of(*written));
     return outcome;
 }
 
