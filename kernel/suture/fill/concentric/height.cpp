@@ -85,6 +85,7 @@ struct Wanted {
 std::vector<Wanted> wanted_of(const Hole& hole) {
     const auto& ribbons = hole.loops.front().ribbons;
     std::vector<Wanted> all;
+    all.reserve(ribbons.size());
     for (std::size_t i = 0; i < ribbons.size(); ++i) {
         const Ribbon& before = ribbons[(i + ribbons.size() - 1) % ribbons.size()];
         const Ribbon& after = ribbons[(i + 1) % ribbons.size()];
@@ -123,6 +124,7 @@ std::vector<int> shares(const Hole& hole, int samples) {
         all += lengths.back();
     }
     std::vector<int> counts;
+    counts.reserve(lengths.size());
     for (const double length : lengths) {
         counts.push_back(std::max(kLeastOfSide, static_cast<int>(samples * length / all)));
     }
