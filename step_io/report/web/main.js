@@ -204,6 +204,6 @@ if (view && wanted) {
   } else if (wanted.includes(',')) view.look(wanted.split(',').map(Number));
   else view.look(wanted);
 }
-view?.resize();
+view?.start();
 document.documentElement.dataset.ready = Math.round(performance.now());
 window.sutureReport = { scene, view, table }; // for the console, and for tests

@@ -299,20 +299,32 @@ export class View {
 
   resize() {
     const { clientWidth: width, clientHeight: height } = this.canvas.parentElement;
-    if (width === 0 || height === 0) return;
+    if (width === 0 || height === 0 || (width === this.width && height === this.height)) return;
+    Object.assign(this, { width, height });
     this.renderer.setSize(width, height, false);
     this.camera.aspect = width / height;
     this.camera.updateProjectionMatrix();
+    // The new canvas is empty: at once, but for the first picture, which start() draws.
+    if (this.started) this.draw(); else this.invalidate();
+  }
+
+  /** Draws the first picture, once for all that was set before: without a graphics card each takes a second. */
+  start() {
+    this.resize();
+    this.started = true;
     this.draw();
   }
 
   invalidate() {
     if (this.pending) return;
     this.pending = true;
-    requestAnimationFrame(() => { this.pending = false; this.draw(); });
+    requestAnimationFrame(() => { if (this.pending) this.draw(); });
   }
 
-  draw() { this.renderer.render(this.scene, this.camera); }
+  draw() {
+    this.pending = false;
+    this.renderer.render(this.scene, this.camera);
+  }
 
   /** The shown edge nearest to a point of the canvas, or 0. */
   edgeAt(x, y) {
