@@ -95,7 +95,7 @@ fs::path find_browser() {
     for (const char* name : {"chromium", "chromium-browser", "google-chrome"}) {
         std::istringstream folders(path == nullptr ? "" : path);
         for (std::string folder; std::getline(folders, folder, ':');) {
-            const fs::path program = fs::path(folder) / name;
+            fs::path program = fs::path(folder) / name;
             if (access(program.c_str(), X_OK) == 0) {
                 return program;
             }

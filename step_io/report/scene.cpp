@@ -36,6 +36,7 @@ Json json_of(const FaceMesh& mesh) {
 template <class Get>
 std::string column(const std::vector<EdgeContinuity>& edges, Get get) {
     std::vector<float> values;
+    values.reserve(edges.size());
     for (const EdgeContinuity& edge : edges) {
         values.push_back(static_cast<float>(get(edge)));
     }

@@ -210,6 +210,7 @@ Result<std::vector<EdgeCertificate>> certify_edges(const TopoDS_Shape& shape,
     }
     const occ::Numbering numbering(shape);
     std::vector<int> numbers;
+    numbers.reserve(edges.size());
     for (const EdgeContinuity& edge : edges) {
         numbers.push_back(edge.edge);
     }
