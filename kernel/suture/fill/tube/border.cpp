@@ -1,24 +1,15 @@
 #include "suture/fill/tube/border.h"
 
+#include "suture/fill/tube/directions.h"
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>
 
 namespace suture::tube {
-namespace {
 
 using Eigen::Vector3d;
-
-bool joins_smoothly(const Ribbon& ribbon) {
-    return ribbon.continuity >= Continuity::G1;
-}
-
-double angle_between(const Vector3d& a, const Vector3d& b) {
-    return std::atan2(a.cross(b).norm(), a.dot(b));
-}
-
-}  // namespace
 
 Border::Border(RibbonLoop around, Radials radials, const Vector3d& pole, double length, double u)
     : loop_(std::move(around)), radials_(std::move(radials)), pole_(pole), u_(u), starts_{0.0} {

@@ -1,24 +1,15 @@
 #include "suture/fill/tube/divide.h"
 
+#include "suture/fill/tube/directions.h"
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>
 
 namespace suture::tube {
-namespace {
 
 using Eigen::Vector3d;
-
-bool joins_smoothly(const Ribbon& ribbon) {
-    return ribbon.continuity >= Continuity::G1;
-}
-
-double angle_between(const Vector3d& a, const Vector3d& b) {
-    return std::atan2(a.cross(b).norm(), a.dot(b));
-}
-
-}  // namespace
 
 std::vector<std::vector<BorderError>> measure_border(const Border& border,
                                                      const Divisions& divisions,

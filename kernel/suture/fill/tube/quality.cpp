@@ -1,5 +1,7 @@
 #include "suture/fill/tube/quality.h"
 
+#include "suture/fill/tube/directions.h"
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -12,10 +14,6 @@ using Eigen::Vector3d;
 
 constexpr int kAcross = 6;  // samples a patch
 constexpr int kAround = 3;
-
-double angle_between(const Vector3d& a, const Vector3d& b) {
-    return std::atan2(a.cross(b).norm(), a.dot(b));
-}
 
 Vector3d normal_at(const Net& net, double u, int interval, double v) {
     const SurfaceJet jet = evaluate(net, u, interval, v);
