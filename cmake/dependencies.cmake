@@ -6,7 +6,9 @@ find_package(spdlog REQUIRED)
 find_package(TBB REQUIRED)
 find_package(nlohmann_json REQUIRED)
 find_package(CLI11 REQUIRED)
-find_package(mimalloc 2 REQUIRED)
+if(SUTURE_MIMALLOC)
+    find_package(mimalloc 2 REQUIRED)
+endif()
 find_package(OpenCASCADE REQUIRED) # its version file takes no "7.6 or later"
 find_path(SUTURE_BOOST_POLYGON boost/polygon/voronoi.hpp REQUIRED) # headers only: no CMake package
 find_path(SUTURE_ZIP_HEADER zip.h REQUIRED) # libzip; its CMake package names programs that Debian keeps apart
