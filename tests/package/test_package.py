@@ -27,6 +27,12 @@ def run(*command, **options):
     return done.stdout
 
 
+def compiler_flags():
+    """Those the build was asked for: libraries with a sanitizer serve only programs with it."""
+    cache = (BINARY / "CMakeCache.txt").read_text(encoding="utf-8")
+    return re.search(r"^CMAKE_CXX_FLAGS:\w+=(.*)$", cache, re.MULTILINE)[1]
+
+
 class InstalledPackage(unittest.TestCase):
     def setUp(self):
         self.folder = Path(tempfile.mkdtemp(prefix="suture_package_"))
@@ -42,6 +48,7 @@ class InstalledPackage(unittest.TestCase):
         run(
             *("cmake", "-S", SOURCE / "tests/package/consumer", "-B", built, "-G", "Ninja"),
             *(f"-DCMAKE_PREFIX_PATH={self.prefix}", "-DCMAKE_BUILD_TYPE=Release"),
+            f"-DCMAKE_CXX_FLAGS={compiler_flags()}",
         )
         run("cmake", "--build", built)
 
