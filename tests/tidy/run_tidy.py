@@ -72,6 +72,13 @@ def fingerprint(source, arguments, settings):
     return digest.hexdigest()
 
 
+def settings_for(source):
+    """What clang-tidy reads for a source: the file in the root, and what the folders below add."""
+    folders = [folder for folder in source.parents if folder.is_relative_to(ROOT)]
+    files = [folder / ".clang-tidy" for folder in reversed(folders)]
+    return b"".join(file.read_bytes() for file in files if file.is_file())
+
+
 def tidy(source, database):
     done = subprocess.run(
         [TIDY, "-p", str(database), "--quiet", str(source)],
@@ -98,10 +105,9 @@ def main(build, folders):
 
     cache = Path(os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache") / "suture-tidy"
     cache.mkdir(parents=True, exist_ok=True)
-    settings = (ROOT / ".clang-tidy").read_bytes()
-    settings += subprocess.run([TIDY, "--version"], capture_output=True, check=True).stdout
+    version = subprocess.run([TIDY, "--version"], capture_output=True, check=True).stdout
     stamps = {
-        source: cache / fingerprint(source, arguments, settings)
+        source: cache / fingerprint(source, arguments, settings_for(source) + version)
         for source, arguments in commands.items()
     }
     waiting = [source for source, stamp in stamps.items() if not stamp.exists()]
