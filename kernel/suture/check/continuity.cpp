@@ -20,7 +20,7 @@ constexpr std::size_t kBatch = 256;
 /// One edge to measure and its two uses.
 struct Job {
     int edge = 0;
-    std::array<EdgeUse, 2> uses;
+    std::array<EdgeInFace, 2> uses;
 };
 
 EdgeContinuity run_job(const Job& job, const occ::Numbering& numbering, const Profile& profile) {

@@ -6,14 +6,14 @@
 
 namespace suture {
 
-std::vector<std::vector<EdgeUse>> find_edge_uses(const occ::Numbering& numbering,
-                                                 const std::vector<int>& wanted) {
+std::vector<std::vector<EdgeInFace>> find_edge_uses(const occ::Numbering& numbering,
+                                                    const std::vector<int>& wanted) {
     const auto edge_count = static_cast<std::size_t>(numbering.edges.Extent());
     std::vector<char> is_wanted(edge_count, wanted.empty() ? 1 : 0);
     for (const int number : wanted) {
         is_wanted.at(static_cast<std::size_t>(number - 1)) = 1;
     }
-    std::vector<std::vector<EdgeUse>> uses(edge_count);
+    std::vector<std::vector<EdgeInFace>> uses(edge_count);
     for (int face = 1; face <= numbering.faces.Extent(); ++face) {
         const TopoDS_Shape forward = numbering.faces(face).Oriented(TopAbs_FORWARD);
         for (TopExp_Explorer it(forward, TopAbs_EDGE); it.More(); it.Next()) {

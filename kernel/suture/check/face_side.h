@@ -37,7 +37,7 @@ struct BorderPoint {
 /// Not shared between threads: it owns adaptors with caches.
 class FaceSide {
   public:
-    /// Input  edge as it stands in the face taken FORWARD (see EdgeUse).
+    /// Input  edge as it stands in the face taken FORWARD (see EdgeInFace).
     FaceSide(const TopoDS_Face& face, const TopoDS_Edge& edge, EdgeRange range, double length);
 
     /// At the edge's parameter t, where its curve has this point and derivative. The curvature's

@@ -40,7 +40,7 @@ constexpr double kMismatchForG3 = 0.5;
 constexpr double kKnifeAngle = radians(179.0);
 
 /// How the face, as oriented in the shape, runs along the edge.
-TopAbs_Orientation direction(const TopoDS_Face& face, const EdgeUse& use) {
+TopAbs_Orientation direction(const TopoDS_Face& face, const EdgeInFace& use) {
     return TopAbs::Compose(face.Orientation(), use.edge.Orientation());
 }
 
@@ -51,7 +51,7 @@ Eigen::Vector3d to_eigen(const gp_Pnt& p) {
 class EdgeMeter {
   public:
     EdgeMeter(const TopoDS_Edge& edge, const std::array<TopoDS_Face, 2>& faces,
-              const std::array<EdgeUse, 2>& uses)
+              const std::array<EdgeInFace, 2>& uses)
         : curve_(edge),
           range_{curve_.FirstParameter(), curve_.LastParameter()},
           length_(length_of(edge, curve_)),
@@ -348,7 +348,7 @@ double length_of(const TopoDS_Edge& edge, const BRepAdaptor_Curve& adaptor) {
 }
 
 EdgeContinuity measure_edge(const TopoDS_Edge& edge, const std::array<TopoDS_Face, 2>& faces,
-                            const std::array<EdgeUse, 2>& uses) {
+                            const std::array<EdgeInFace, 2>& uses) {
     return EdgeMeter(edge, faces, uses).run();
 }
 

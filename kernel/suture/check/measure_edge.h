@@ -15,7 +15,7 @@ namespace suture {
 /// numbers and the class. Raises what OCCT raises on an edge without any curve.
 [[nodiscard]] EdgeContinuity measure_edge(const TopoDS_Edge& edge,
                                           const std::array<TopoDS_Face, 2>& faces,
-                                          const std::array<EdgeUse, 2>& uses);
+                                          const std::array<EdgeInFace, 2>& uses);
 
 /// The length of an edge. Not of the edge's adaptor alone: GCPnts takes a line's length from its
 /// parameters, which is wrong under a location that scales.

@@ -47,7 +47,7 @@ TracePoint point_at(const BRepAdaptor_Curve& curve, std::array<FaceSide, 2>& sid
     return result;
 }
 
-std::vector<TracePoint> trace(const TopoDS_Edge& edge, const std::vector<EdgeUse>& uses,
+std::vector<TracePoint> trace(const TopoDS_Edge& edge, const std::vector<EdgeInFace>& uses,
                               const occ::Numbering& numbering, int most) {
     const BRepAdaptor_Curve curve(edge);
     const EdgeRange range{curve.FirstParameter(), curve.LastParameter()};

@@ -28,7 +28,7 @@ struct Found {
 
 BoundaryEdge to_edge(const ShellGraph& graph, const LoopStep& step,
                      const occ::Numbering& numbering) {
-    const EdgeUse& use = graph.uses[step.use];
+    const Coedge& use = graph.uses[step.use];
     BoundaryEdge result;
     const TopoDS_Face& face = graph.faces[use.face];
     // where the file turns the face against its shell, both are turned back: so the edge goes the

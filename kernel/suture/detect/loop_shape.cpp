@@ -18,7 +18,7 @@ namespace {
 constexpr int kPoints = 64;
 
 void add_step(const ShellGraph& graph, const LoopStep& step, LoopShape& shape) {
-    const EdgeUse& use = graph.uses[step.use];
+    const Coedge& use = graph.uses[step.use];
     const UseGeometry geometry(use.edge, graph.faces[use.face]);
     const double sign = step.along_use ? -1.0 : 1.0;
     for (int i = 0; i < kPoints; ++i) {

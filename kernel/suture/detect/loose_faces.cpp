@@ -32,7 +32,7 @@ std::vector<bool> lies_alone(const ShellGraph& graph) {
     for (const int component : graph.component) {
         ++size[component];
     }
-    for (const EdgeUse& use : graph.uses) {
+    for (const Coedge& use : graph.uses) {
         open[use.face] = open[use.face] || use.free;
     }
     std::vector<bool> alone;

@@ -67,7 +67,7 @@ NewShell make_shell(const ShellGraph& graph, int component) {
             result.members.push_back(i);
         }
     }
-    for (const EdgeUse& use : graph.uses) {
+    for (const Coedge& use : graph.uses) {
         closed = closed && (graph.component[use.face] != component || !use.free);
     }
     result.shell.Closed(closed);

@@ -168,7 +168,7 @@ double largest_closed_gap(const ShellGraph& before, const Loose& loose,
     const ShellGraph after = make_shell_graph(compound_of(sewn));
     std::vector<TopoDS_Edge> edges;
     edges.reserve(after.uses.size());
-    for (const EdgeUse& use : after.uses) {
+    for (const Coedge& use : after.uses) {
         edges.push_back(use.edge);
     }
     const EdgeField field(edges);
@@ -178,7 +178,7 @@ double largest_closed_gap(const ShellGraph& before, const Loose& loose,
     }
     double largest = 0.0;
     for (std::size_t i = 0; i < loose.uses.size(); ++i) {
-        const EdgeUse& use = before.uses[loose.uses[i]];
+        const Coedge& use = before.uses[loose.uses[i]];
         const int face = faces.FindIndex(before.faces[use.face]) - 1;
         const Eigen::Vector3d middle = UseGeometry(use.edge, before.faces[use.face]).at(0.5).point;
         const auto of_face = [&](int e) {

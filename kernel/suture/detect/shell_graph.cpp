@@ -19,7 +19,7 @@ namespace suture {
 
 namespace {
 
-TopoDS_Vertex vertex_of(const EdgeUse& use, bool at_start) {
+TopoDS_Vertex vertex_of(const Coedge& use, bool at_start) {
     return at_start ? TopExp::FirstVertex(use.edge, Standard_True)
                     : TopExp::LastVertex(use.edge, Standard_True);
 }
@@ -29,7 +29,7 @@ bool same_vertex(const TopoDS_Vertex& a, const TopoDS_Vertex& b) {
 }
 
 UseGeometry geometry_of(const ShellGraph& graph, int use) {
-    const EdgeUse& u = graph.uses[use];
+    const Coedge& u = graph.uses[use];
     return {u.edge, graph.faces[u.face]};
 }
 
@@ -94,7 +94,7 @@ void add_face(ShellGraph& graph, int index) {
                 (edge.Orientation() != TopAbs_FORWARD && edge.Orientation() != TopAbs_REVERSED)) {
                 continue;
             }
-            EdgeUse use;
+            Coedge use;
             use.edge = TopoDS::Edge(edge);
             use.face = index;
             use.degenerated = BRep_Tool::Degenerated(use.edge);
@@ -229,7 +229,7 @@ Fan walk_fan(const ShellGraph& graph, UseEnd from) {
         UseEnd beside = here;
         double pole_angle = 0.0;
         do {
-            const EdgeUse& use = graph.uses[beside.use];
+            const Coedge& use = graph.uses[beside.use];
             beside = beside.at_start ? UseEnd{use.previous, false} : UseEnd{use.next, true};
             if (beside.use < 0) {
                 return fan;
@@ -248,12 +248,12 @@ Fan walk_fan(const ShellGraph& graph, UseEnd from) {
             const int leaving = here.at_start ? here.use : beside.use;
             fan.angle += corner_angle(geometry_of(graph, arriving), geometry_of(graph, leaving));
         }
-        const EdgeUse& use = graph.uses[beside.use];
+        const Coedge& use = graph.uses[beside.use];
         if (use.mate < 0) {
             fan.last = beside;
             return fan;
         }
-        const EdgeUse& mate = graph.uses[use.mate];
+        const Coedge& mate = graph.uses[use.mate];
         const bool same_way = use.edge.Orientation() == mate.edge.Orientation();
         here = {use.mate, same_way ? beside.at_start : !beside.at_start};
     }

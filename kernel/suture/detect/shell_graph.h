@@ -11,9 +11,9 @@
 
 namespace suture {
 
-/// One use of an edge by a face, oriented as the face goes: material on the left, seen against the
-/// face's outward normal.
-struct EdgeUse {
+/// One use of an edge by a face (a coedge), oriented as the face goes: material on the left, seen
+/// against the face's outward normal.
+struct Coedge {
     TopoDS_Edge edge;
     int face = 0;   ///< index into ShellGraph::faces
     int next = -1;  ///< the use that follows around the face, -1 where the wire is open
@@ -34,7 +34,7 @@ struct UseEnd {
 /// The faces of a shape and how they hang together, across edges and around vertices.
 struct ShellGraph {
     std::vector<TopoDS_Face> faces;  ///< in TopExp's order, oriented as in the shape
-    std::vector<EdgeUse> uses;
+    std::vector<Coedge> uses;
     std::vector<int> component;    ///< per face: which connected shell it belongs to
     std::vector<int> sign;         ///< per face: -1 where it is turned against most of its shell
     std::vector<bool> orientable;  ///< per component

@@ -17,7 +17,7 @@ namespace suture {
 
 namespace {
 
-TopoDS_Vertex vertex_at(const EdgeUse& use, bool at_start) {
+TopoDS_Vertex vertex_at(const Coedge& use, bool at_start) {
     return at_start ? TopExp::FirstVertex(use.edge, Standard_True)
                     : TopExp::LastVertex(use.edge, Standard_True);
 }
@@ -29,7 +29,7 @@ using FanStep = LoopStep;
 UseEnd find_by_vertex(const ShellGraph& graph, const TopoDS_Vertex& vertex, int component,
                       const std::vector<bool>& visited) {
     for (int i = 0; i < static_cast<int>(graph.uses.size()); ++i) {
-        const EdgeUse& use = graph.uses[i];
+        const Coedge& use = graph.uses[i];
         if (!use.free || visited[i] || graph.component[use.face] != component) {
             continue;
         }
@@ -49,7 +49,7 @@ RawLoop walk_from(const ShellGraph& graph, int start, std::vector<bool>& visited
     UseEnd leaving{start, graph.sign[graph.uses[start].face] > 0};
     while (true) {
         visited[leaving.use] = true;
-        const EdgeUse& use = graph.uses[leaving.use];
+        const Coedge& use = graph.uses[leaving.use];
         FanStep step{leaving.use, !leaving.at_start, vertex_at(use, leaving.at_start), kPi};
         const Fan fan = walk_fan(graph, leaving);
         UseEnd entering = fan.last;
@@ -60,7 +60,7 @@ RawLoop walk_from(const ShellGraph& graph, int start, std::vector<bool>& visited
         }
         loop.steps.push_back(step);
         if (entering.use < 0) {
-            const EdgeUse& first = graph.uses[start];
+            const Coedge& first = graph.uses[start];
             loop.closed = !step.end.IsNull() &&
                           step.end.IsSame(vertex_at(first, loop.steps.front().along_use));
             return loop;
@@ -83,7 +83,7 @@ constexpr double kSmallPart = 10.0;
 
 /// The walk along a step: a point at each chord.
 Eigen::Vector3d point_at(const ShellGraph& graph, const LoopStep& step, double t) {
-    const EdgeUse& use = graph.uses[step.use];
+    const Coedge& use = graph.uses[step.use];
     return UseGeometry(use.edge, graph.faces[use.face]).at(step.along_use ? t : 1.0 - t).point;
 }
 

@@ -78,7 +78,7 @@ TEST(SewLoose, TurnsFacesToAgreeAndTheShellOutwards) {
     const SewnShape sewn = sew(test::compound_of(parts));
     expect_sewn_as(box, sewn);
     const ShellGraph graph = make_shell_graph(sewn.shape);
-    for (const EdgeUse& use : graph.uses) {
+    for (const Coedge& use : graph.uses) {
         EXPECT_NE(use.edge.Orientation(), graph.uses[use.mate].edge.Orientation());
     }
 }

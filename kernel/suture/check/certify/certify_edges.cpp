@@ -61,7 +61,7 @@ double largest_angle(const certify::TaylorModel3& a, const certify::TaylorModel3
 class EdgeProver {
   public:
     EdgeProver(const TopoDS_Edge& edge, const std::array<TopoDS_Face, 2>& faces,
-               const std::array<EdgeUse, 2>& uses)
+               const std::array<EdgeInFace, 2>& uses)
         : curve_(edge),
           adaptor_(edge),
           range_{adaptor_.FirstParameter(), adaptor_.LastParameter()},
@@ -192,7 +192,7 @@ class EdgeProver {
     EdgeRange range_;
     std::array<FaceSide, 2> sides_;
     std::array<certify::CertifiedSurface, 2> surfaces_;
-    std::array<EdgeUse, 2> uses_;
+    std::array<EdgeInFace, 2> uses_;
 };
 
 }  // namespace
