@@ -68,7 +68,7 @@ DomainLoop lay_loop(const Net& net, const Scale& scale, const RibbonLoop& loop) 
             side.col(k) = at * scale.length;
         }
         result.lengths.push_back(
-            (speed.transpose() * chebyshev_integration(kIslandPoints)).coeff(kIslandPoints - 1));
+            speed.dot(chebyshev_integration(kIslandPoints).col(kIslandPoints - 1)));
         feet.push_back(std::move(side));
     }
     // One corner, one foot.

@@ -20,13 +20,14 @@ struct BoundarySample {
     int loop = 0;  ///< -1: an inner point
     int ribbon = 0;
     double s = 0.0;
-    double length = 0.0;     ///< of the boundary for which this sample stands
-    Eigen::Vector2d uv;      ///< in the domain
-    Eigen::Vector2d across;  ///< unit normal of the domain's boundary, inward
-    Eigen::Vector3d point;
-    Eigen::Vector3d normal;
-    Eigen::Vector3d inward;
-    Eigen::Matrix3d curvature;
+    double length = 0.0;                           ///< of the boundary for which this sample stands
+    Eigen::Vector2d uv = Eigen::Vector2d::Zero();  ///< in the domain
+    /// Unit normal of the domain's boundary, inward.
+    Eigen::Vector2d across = Eigen::Vector2d::Zero();
+    Eigen::Vector3d point = Eigen::Vector3d::Zero();
+    Eigen::Vector3d normal = Eigen::Vector3d::Zero();
+    Eigen::Vector3d inward = Eigen::Vector3d::Zero();
+    Eigen::Matrix3d curvature = Eigen::Matrix3d::Zero();
     Continuity continuity = Continuity::G1;
     /// What no surface can meet here: near a corner at which the neighbours' normals disagree,
     /// half their angle, falling to zero away from it.
