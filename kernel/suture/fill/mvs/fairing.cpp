@@ -39,17 +39,21 @@ constexpr double kGapPart = 0.2;
 constexpr double kLeastGap = 1e-6;
 constexpr double kMostGap = 1e-5;
 constexpr double kAnglePart = 0.1;
-constexpr double kCurvaturePart = 0.25;
-// A level that brings the worst sample less than this factor nearer was the last one.
-constexpr double kProgress = 0.9;
-// So many levels in a row that bring nothing end it; the first, where half of the tolerance is met
-// or the surface is far off.
+constexpr double kCurvaturePart = 0.1;
+// A net of more poles need not reach the goals, but only what is well within the tolerances.
+constexpr int kCheapPoles = 400;
+constexpr double kGoodEnough = 0.4 / kAnglePart;
+// A level that brings the worst sample less than this factor nearer brought nothing. So many such
+// levels in a row end it; the first, where the tolerances hold with some room or the surface is far
+// off.
+constexpr double kProgress = 0.7;
 constexpr int kPatience = 3;
-constexpr double kGoodEnough = 0.5 / kAnglePart;
+constexpr double kWithin = 0.8 / kAnglePart;
 
 int patience(double missed_by, bool poor) {
-    return missed_by <= kGoodEnough || poor ? 1 : kPatience;
+    return missed_by <= kWithin || poor ? 1 : kPatience;
 }
+
 // Spans are halved where a sample misses its goal, and by this part of the worst miss.
 constexpr double kMarked = 0.3;
 // While the surface is this far off it is no small correction of the final one: all spans that miss
@@ -60,14 +64,14 @@ constexpr double kRoughlyMarked = 0.05;
 // solution from anywhere. Exact: the flat energy is but a damping. Fine: the boundary decides.
 constexpr Weights kRough = {1e-8, 1.0, 1e-8, 0.03, 0.0};
 constexpr Weights kExact = {1e-8, 1e-6, 1e-8, 0.03, 1e-3};
-constexpr Weights kFine = {1e-10, 1e-6, 1e-8, 0.03, 1e-3};
+constexpr Weights kFine = {1e-10, 1e-6, 1e-8, 0.03, 1e-5};
 // The energy's weight falls with every level: what misses the boundary last are corners at which
 // the energy would like to round the neighbours' disagreement. Less than the least is rounding.
 constexpr double kEnergyFactor = 0.01;
 constexpr double kLeastEnergy = 1e-13;
-constexpr SolverOptions kRoughSteps = {5, 3e-3, 1e-2};
-constexpr SolverOptions kExactSteps = {8, 2e-6, 1e-1};
-constexpr SolverOptions kFineSteps = {3, 3e-6, 1e-1};
+constexpr SolverOptions kRoughSteps = {5, 3e-3, 0.0, 1e-2};
+constexpr SolverOptions kExactSteps = {8, 2e-6, 0.002, 1e-1};
+constexpr SolverOptions kFineSteps = {3, 3e-6, 0.05, 1.0};
 
 struct Goal {
     double gap, angle, curvature;
@@ -129,6 +133,7 @@ class Levels {
 
   private:
     void measure();
+    [[nodiscard]] bool good_enough() const;
     [[nodiscard]] bool refine();
     [[nodiscard]] System system(const Weights& weights) const;
     void lay_inside();
@@ -183,6 +188,10 @@ System Levels::system(const Weights& weights) const {
     const double spacing = span_size(net_) / kSamplesPerSpan;
     return System(net_.u, net_.v, polygons_of(measured_),
                   sample_boundary(hole_, domain_, scale_, spacing, kLeastSamples, true), weights);
+}
+
+bool Levels::good_enough() const {
+    return missed_by_ <= (net_.poles.cols() > kCheapPoles ? kGoodEnough : 1.0);
 }
 
 void Levels::measure() {
@@ -244,7 +253,7 @@ Result<Fairing> Levels::run() {
     Domain best_domain = domain_;
     double least = missed_by_;
     for (int level = 1, idle = 0;
-         level < kLevels && missed_by_ > 1.0 && idle < patience(least, poor_); ++level) {
+         level < kLevels && !good_enough() && idle < patience(least, poor_); ++level) {
         options_.progress(static_cast<double>(level) / kLevels, "fairing");
         if (!refine()) {
             break;
