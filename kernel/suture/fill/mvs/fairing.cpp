@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 namespace suture::mvs {
 namespace {
@@ -23,7 +24,7 @@ constexpr double kMargin = 0.05;
 // surface, and lose their way among spans that are much longer than wide.
 constexpr double kLeastSpan = 1.0 / 120.0;
 // Poles in one direction at most.
-constexpr int kMostPoles = 38;
+constexpr int kMostPoles = 40;
 constexpr int kLevels = 10;
 // Times that islands and inner points are laid out again before the exact functional counts.
 constexpr int kRelayed = 2;
@@ -134,6 +135,7 @@ class Levels {
   private:
     void measure();
     [[nodiscard]] bool good_enough() const;
+    [[nodiscard]] std::pair<Axis, Axis> finer(double limit) const;
     [[nodiscard]] bool refine();
     [[nodiscard]] System system(const Weights& weights) const;
     void lay_inside();
@@ -214,10 +216,8 @@ void keep_least_spans(const Axis& axis, std::vector<bool>& marked) {
     }
 }
 
-// Halves the spans through which the boundary is missed. False where none is left to halve, or that
-// takes too many poles.
-bool Levels::refine() {
-    const double limit = std::max(1.0, (poor_ ? kRoughlyMarked : kMarked) * missed_by_);
+// The net with the spans halved through which the boundary is missed by more than this.
+std::pair<Axis, Axis> Levels::finer(double limit) const {
     std::vector<bool> u(static_cast<std::size_t>(net_.u.spans()), false);
     std::vector<bool> v(static_cast<std::size_t>(net_.v.spans()), false);
     for (std::size_t k = 0; k < measured_.size(); ++k) {
@@ -228,14 +228,23 @@ bool Levels::refine() {
     }
     keep_least_spans(net_.u, u);
     keep_least_spans(net_.v, v);
-    const Axis finer_u = halved(net_.u, u);
-    const Axis finer_v = halved(net_.v, v);
-    if (finer_u.count() + finer_v.count() == net_.u.count() + net_.v.count() ||
-        std::max(finer_u.count(), finer_v.count()) > kMostPoles) {
-        return false;
+    return {halved(net_.u, u), halved(net_.v, v)};
+}
+
+// Halves spans where that is needed most. False where none is left to halve, or even the worst take
+// too many poles.
+bool Levels::refine() {
+    for (double part = poor_ ? kRoughlyMarked : kMarked; part < 1.0; part *= 2.0) {
+        const auto [u, v] = finer(std::max(1.0, part * missed_by_));
+        if (u.count() + v.count() == net_.u.count() + net_.v.count()) {
+            return false;
+        }
+        if (std::max(u.count(), v.count()) <= kMostPoles) {
+            net_ = mvs::refine(net_, u, v);
+            return true;
+        }
     }
-    net_ = mvs::refine(net_, finer_u, finer_v);
-    return true;
+    return false;
 }
 
 Result<Fairing> Levels::run() {
