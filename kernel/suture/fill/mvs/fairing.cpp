@@ -47,12 +47,12 @@ constexpr double kGoodEnough = 0.4 / kAnglePart;
 // A level that brings the worst sample less than this factor nearer brought nothing. So many such
 // levels in a row end it; the first, where the tolerances hold with some room or the surface is far
 // off.
-constexpr double kProgress = 0.7;
+constexpr double kProgress = 0.8;
 constexpr int kPatience = 3;
 constexpr double kWithin = 0.8 / kAnglePart;
 
 int patience(double missed_by, bool poor) {
-    return missed_by <= kWithin || poor ? 1 : kPatience;
+    return missed_by <= kWithin ? 1 : poor ? 2 : kPatience;
 }
 
 // Spans are halved where a sample misses its goal, and by this part of the worst miss.
@@ -94,16 +94,6 @@ Scale scale_of(const RibbonLoop& loop, const Layout& layout) {
     return scale;
 }
 
-double span_size(const Net& net) {
-    double size = 1.0;
-    for (const Axis* axis : {&net.u, &net.v}) {
-        for (int k = 0; k < axis->spans(); ++k) {
-            size = std::min(size, axis->upper(k) - axis->lower(k));
-        }
-    }
-    return size;
-}
-
 Net first_net(const Layout& layout, const Scale& scale, int longer_spans) {
     const Eigen::Vector2d size = (layout.upper - layout.lower) / scale.length;
     const double longer = size.maxCoeff();
@@ -140,8 +130,8 @@ class Levels {
     [[nodiscard]] System system(const Weights& weights) const;
     void lay_inside();
     void sample_densely() {
-        measured_ = sample_boundary(hole_, domain_, scale_, span_size(net_) / kMeasuredPerSpan,
-                                    kLeastMeasured, false);
+        measured_ = sample_boundary(hole_, domain_, scale_,
+                                    {net_.u, net_.v, kMeasuredPerSpan, kLeastMeasured}, false);
     }
     void solve(const System& system, const SolverOptions& steps) {
         steps_ += minimise(system, net_, steps, options_.progress).steps;
@@ -169,8 +159,8 @@ void Levels::lay_inside() {
     Hole outer;
     outer.loops = {hole_.loops.front()};
     const auto boundary = [&](const Hole& hole, bool ends) {
-        return sample_boundary(hole, domain_, scale_, span_size(net_) / kSamplesPerSpan,
-                               kLeastSamples, ends);
+        return sample_boundary(hole, domain_, scale_,
+                               {net_.u, net_.v, kSamplesPerSpan, kLeastSamples}, ends);
     };
     const System alone(net_.u, net_.v, polygons_of(boundary(outer, false)), boundary(outer, true),
                        kRough);
@@ -187,9 +177,9 @@ void Levels::lay_inside() {
 }
 
 System Levels::system(const Weights& weights) const {
-    const double spacing = span_size(net_) / kSamplesPerSpan;
+    const Density density{net_.u, net_.v, kSamplesPerSpan, kLeastSamples};
     return System(net_.u, net_.v, polygons_of(measured_),
-                  sample_boundary(hole_, domain_, scale_, spacing, kLeastSamples, true), weights);
+                  sample_boundary(hole_, domain_, scale_, density, true), weights);
 }
 
 bool Levels::good_enough() const {
