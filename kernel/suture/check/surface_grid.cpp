@@ -28,6 +28,7 @@ constexpr std::array<std::pair<int, int>, 8> kAround{
 std::vector<double> values(int waves, double low, double high) {
     const int count = std::clamp(kPointsOnWave * waves, kFewestPoints, kMostPoints);
     std::vector<double> result;
+    result.reserve(static_cast<std::size_t>(count));
     for (int i = 0; i < count; ++i) {
         result.push_back(low + (high - low) * i / (count - 1));
     }
