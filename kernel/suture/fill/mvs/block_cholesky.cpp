@@ -22,23 +22,38 @@ int BlockBand::reach(int j) const {
     return std::min(width_, blocks() - 1 - j) + 1;
 }
 
-void BlockBand::add(const BlockBand& other, double factor) {
-    SUTURE_EXPECTS(other.rows() == rows() && other.size_ == size_ && other.width_ == width_);
+void BlockBand::add_per_component(const BlockBand& other, double factor) {
+    const int components = size_ / other.size_;
+    SUTURE_EXPECTS(other.blocks() == blocks() && other.width_ == width_ &&
+                   components * other.size_ == size_);
     for (int j = 0; j < blocks(); ++j) {
-        column(j) += factor * other.column(j);
+        const Eigen::MatrixXd& from = other.column(j);
+        Eigen::MatrixXd& to = column(j);
+        for (int q = 0; q < other.size_; ++q) {
+            const int first = std::max(0, q - width_);
+            const int last = std::min(other.size_ - 1, q + width_);
+            for (int i = 0; i < reach(j); ++i) {
+                for (int p = first; p <= last; ++p) {
+                    const double entry = factor * from(i * other.size_ + p, q);
+                    for (int c = 0; c < components; ++c) {
+                        to(i * size_ + components * p + c, components * q + c) += entry;
+                    }
+                }
+            }
+        }
     }
 }
 
-Eigen::VectorXd BlockBand::times(const Eigen::VectorXd& x) const {
-    Eigen::VectorXd y = Eigen::VectorXd::Zero(rows());
+Eigen::MatrixXd BlockBand::times(const Eigen::MatrixXd& x) const {
+    Eigen::MatrixXd y = Eigen::MatrixXd::Zero(x.rows(), x.cols());
     for (int j = 0; j < blocks(); ++j) {
         const Eigen::MatrixXd& A = column(j);
         const int below = static_cast<int>(A.rows()) - size_;
-        const auto own = x.segment(j * size_, size_);
-        y.segment(j * size_, size_) +=
+        const auto own = x.middleRows(j * size_, size_);
+        y.middleRows(j * size_, size_) +=
             A.topRows(size_).selfadjointView<Eigen::Lower>() * own +
-            A.bottomRows(below).transpose() * x.segment((j + 1) * size_, below);
-        y.segment((j + 1) * size_, below) += A.bottomRows(below) * own;
+            A.bottomRows(below).transpose() * x.middleRows((j + 1) * size_, below);
+        y.middleRows((j + 1) * size_, below) += A.bottomRows(below) * own;
     }
     return y;
 }

@@ -24,10 +24,12 @@ class BlockBand {
         return columns_[static_cast<std::size_t>(j)];
     }
 
-    /// this + factor * other, of the same shape.
-    void add(const BlockBand& other, double factor);
+    /// Adds factor * other to each of the components that a row of `other` stands for: other has
+    /// blocks a whole number of times smaller, and nothing in them beyond its width.
+    void add_per_component(const BlockBand& other, double factor);
 
-    [[nodiscard]] Eigen::VectorXd times(const Eigen::VectorXd& x) const;
+    /// Input    a column a vector.
+    [[nodiscard]] Eigen::MatrixXd times(const Eigen::MatrixXd& x) const;
 
     /// Replaces the matrix by its Cholesky factor. False where it is not positive definite.
     [[nodiscard]] bool factorise();

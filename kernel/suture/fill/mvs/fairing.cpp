@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 namespace suture::mvs {
 namespace {
@@ -23,7 +24,7 @@ constexpr double kMargin = 0.05;
 // surface, and lose their way among spans that are much longer than wide.
 constexpr double kLeastSpan = 1.0 / 120.0;
 // Poles in one direction at most.
-constexpr int kMostPoles = 38;
+constexpr int kMostPoles = 40;
 constexpr int kLevels = 10;
 // Times that islands and inner points are laid out again before the exact functional counts.
 constexpr int kRelayed = 2;
@@ -39,17 +40,21 @@ constexpr double kGapPart = 0.2;
 constexpr double kLeastGap = 1e-6;
 constexpr double kMostGap = 1e-5;
 constexpr double kAnglePart = 0.1;
-constexpr double kCurvaturePart = 0.25;
-// A level that brings the worst sample less than this factor nearer was the last one.
-constexpr double kProgress = 0.9;
-// So many levels in a row that bring nothing end it; the first, where half of the tolerance is met
-// or the surface is far off.
+constexpr double kCurvaturePart = 0.1;
+// A net of more poles need not reach the goals, but only what is well within the tolerances.
+constexpr int kCheapPoles = 400;
+constexpr double kGoodEnough = 0.4 / kAnglePart;
+// A level that brings the worst sample less than this factor nearer brought nothing. So many such
+// levels in a row end it; the first, where the tolerances hold with some room or the surface is far
+// off.
+constexpr double kProgress = 0.8;
 constexpr int kPatience = 3;
-constexpr double kGoodEnough = 0.5 / kAnglePart;
+constexpr double kWithin = 0.8 / kAnglePart;
 
 int patience(double missed_by, bool poor) {
-    return missed_by <= kGoodEnough || poor ? 1 : kPatience;
+    return missed_by <= kWithin ? 1 : poor ? 2 : kPatience;
 }
+
 // Spans are halved where a sample misses its goal, and by this part of the worst miss.
 constexpr double kMarked = 0.3;
 // While the surface is this far off it is no small correction of the final one: all spans that miss
@@ -60,14 +65,14 @@ constexpr double kRoughlyMarked = 0.05;
 // solution from anywhere. Exact: the flat energy is but a damping. Fine: the boundary decides.
 constexpr Weights kRough = {1e-8, 1.0, 1e-8, 0.03, 0.0};
 constexpr Weights kExact = {1e-8, 1e-6, 1e-8, 0.03, 1e-3};
-constexpr Weights kFine = {1e-10, 1e-6, 1e-8, 0.03, 1e-3};
+constexpr Weights kFine = {1e-10, 1e-6, 1e-8, 0.03, 1e-5};
 // The energy's weight falls with every level: what misses the boundary last are corners at which
 // the energy would like to round the neighbours' disagreement. Less than the least is rounding.
 constexpr double kEnergyFactor = 0.01;
 constexpr double kLeastEnergy = 1e-13;
-constexpr SolverOptions kRoughSteps = {5, 3e-3, 1e-2};
-constexpr SolverOptions kExactSteps = {8, 2e-6, 1e-1};
-constexpr SolverOptions kFineSteps = {3, 3e-6, 1e-1};
+constexpr SolverOptions kRoughSteps = {5, 3e-3, 0.0, 1e-2};
+constexpr SolverOptions kExactSteps = {8, 2e-6, 0.002, 1e-1};
+constexpr SolverOptions kFineSteps = {3, 3e-6, 0.05, 1.0};
 
 struct Goal {
     double gap, angle, curvature;
@@ -87,16 +92,6 @@ Scale scale_of(const RibbonLoop& loop, const Layout& layout) {
     }
     scale.centre /= 2.0 * static_cast<double>(loop.ribbons.size());
     return scale;
-}
-
-double span_size(const Net& net) {
-    double size = 1.0;
-    for (const Axis* axis : {&net.u, &net.v}) {
-        for (int k = 0; k < axis->spans(); ++k) {
-            size = std::min(size, axis->upper(k) - axis->lower(k));
-        }
-    }
-    return size;
 }
 
 Net first_net(const Layout& layout, const Scale& scale, int longer_spans) {
@@ -129,12 +124,14 @@ class Levels {
 
   private:
     void measure();
+    [[nodiscard]] bool good_enough() const;
+    [[nodiscard]] std::pair<Axis, Axis> finer(double limit) const;
     [[nodiscard]] bool refine();
     [[nodiscard]] System system(const Weights& weights) const;
     void lay_inside();
     void sample_densely() {
-        measured_ = sample_boundary(hole_, domain_, scale_, span_size(net_) / kMeasuredPerSpan,
-                                    kLeastMeasured, false);
+        measured_ = sample_boundary(hole_, domain_, scale_,
+                                    {net_.u, net_.v, kMeasuredPerSpan, kLeastMeasured}, false);
     }
     void solve(const System& system, const SolverOptions& steps) {
         steps_ += minimise(system, net_, steps, options_.progress).steps;
@@ -162,8 +159,8 @@ void Levels::lay_inside() {
     Hole outer;
     outer.loops = {hole_.loops.front()};
     const auto boundary = [&](const Hole& hole, bool ends) {
-        return sample_boundary(hole, domain_, scale_, span_size(net_) / kSamplesPerSpan,
-                               kLeastSamples, ends);
+        return sample_boundary(hole, domain_, scale_,
+                               {net_.u, net_.v, kSamplesPerSpan, kLeastSamples}, ends);
     };
     const System alone(net_.u, net_.v, polygons_of(boundary(outer, false)), boundary(outer, true),
                        kRough);
@@ -180,9 +177,13 @@ void Levels::lay_inside() {
 }
 
 System Levels::system(const Weights& weights) const {
-    const double spacing = span_size(net_) / kSamplesPerSpan;
+    const Density density{net_.u, net_.v, kSamplesPerSpan, kLeastSamples};
     return System(net_.u, net_.v, polygons_of(measured_),
-                  sample_boundary(hole_, domain_, scale_, spacing, kLeastSamples, true), weights);
+                  sample_boundary(hole_, domain_, scale_, density, true), weights);
+}
+
+bool Levels::good_enough() const {
+    return missed_by_ <= (net_.poles.cols() > kCheapPoles ? kGoodEnough : 1.0);
 }
 
 void Levels::measure() {
@@ -205,10 +206,8 @@ void keep_least_spans(const Axis& axis, std::vector<bool>& marked) {
     }
 }
 
-// Halves the spans through which the boundary is missed. False where none is left to halve, or that
-// takes too many poles.
-bool Levels::refine() {
-    const double limit = std::max(1.0, (poor_ ? kRoughlyMarked : kMarked) * missed_by_);
+// The net with the spans halved through which the boundary is missed by more than this.
+std::pair<Axis, Axis> Levels::finer(double limit) const {
     std::vector<bool> u(static_cast<std::size_t>(net_.u.spans()), false);
     std::vector<bool> v(static_cast<std::size_t>(net_.v.spans()), false);
     for (std::size_t k = 0; k < measured_.size(); ++k) {
@@ -219,14 +218,23 @@ bool Levels::refine() {
     }
     keep_least_spans(net_.u, u);
     keep_least_spans(net_.v, v);
-    const Axis finer_u = halved(net_.u, u);
-    const Axis finer_v = halved(net_.v, v);
-    if (finer_u.count() + finer_v.count() == net_.u.count() + net_.v.count() ||
-        std::max(finer_u.count(), finer_v.count()) > kMostPoles) {
-        return false;
+    return {halved(net_.u, u), halved(net_.v, v)};
+}
+
+// Halves spans where that is needed most. False where none is left to halve, or even the worst take
+// too many poles.
+bool Levels::refine() {
+    for (double part = poor_ ? kRoughlyMarked : kMarked; part < 1.0; part *= 2.0) {
+        const auto [u, v] = finer(std::max(1.0, part * missed_by_));
+        if (u.count() + v.count() == net_.u.count() + net_.v.count()) {
+            return false;
+        }
+        if (std::max(u.count(), v.count()) <= kMostPoles) {
+            net_ = mvs::refine(net_, u, v);
+            return true;
+        }
     }
-    net_ = mvs::refine(net_, finer_u, finer_v);
-    return true;
+    return false;
 }
 
 Result<Fairing> Levels::run() {
@@ -244,7 +252,7 @@ Result<Fairing> Levels::run() {
     Domain best_domain = domain_;
     double least = missed_by_;
     for (int level = 1, idle = 0;
-         level < kLevels && missed_by_ > 1.0 && idle < patience(least, poor_); ++level) {
+         level < kLevels && !good_enough() && idle < patience(least, poor_); ++level) {
         options_.progress(static_cast<double>(level) / kLevels, "fairing");
         if (!refine()) {
             break;

@@ -11,25 +11,107 @@ namespace {
 // Steps of the table from which parameters at equal arc lengths are read.
 constexpr int kTable = 64;
 
-// Parameters on a domain curve, which has the ribbon's own speed, at count + 1 equal arc lengths.
-std::vector<double> equal_lengths(const DomainCurve& curve, int pieces) {
-    std::vector<double> walked(kTable + 1, 0.0);
-    for (int k = 0; k < kTable; ++k) {
-        const double middle = (k + 0.5) / kTable;
-        walked[static_cast<std::size_t>(k) + 1] =
-            walked[static_cast<std::size_t>(k)] + curve.derivative(middle).norm();
-    }
-    std::vector<double> parameters;
-    std::size_t k = 0;
-    for (int i = 0; i <= pieces; ++i) {
-        const double target = walked.back() * i / pieces;
-        while (k + 2 < walked.size() && walked[k + 1] < target) {
-            ++k;
+// Parameters on a domain curve, which has the ribbon's own speed, by arc length.
+class ArcLength {
+  public:
+    explicit ArcLength(const DomainCurve& curve) : walked_(kTable + 1, 0.0) {
+        for (int k = 0; k < kTable; ++k) {
+            const double middle = (k + 0.5) / kTable;
+            walked_[static_cast<std::size_t>(k) + 1] =
+                walked_[static_cast<std::size_t>(k)] + curve.derivative(middle).norm();
         }
-        const double t = (target - walked[k]) / (walked[k + 1] - walked[k]);
-        parameters.push_back(std::clamp((static_cast<double>(k) + t) / kTable, 0.0, 1.0));
     }
-    return parameters;
+
+    /// The parameter up to which this part of the length is walked.
+    [[nodiscard]] double at(double part) const {
+        const double target = walked_.back() * part;
+        const auto above = std::lower_bound(walked_.begin() + 1, walked_.end() - 1, target);
+        const auto k = static_cast<std::size_t>(above - walked_.begin()) - 1;
+        const double t = (target - walked_[k]) / (walked_[k + 1] - walked_[k]);
+        return std::clamp((static_cast<double>(k) + t) / kTable, 0.0, 1.0);
+    }
+
+  private:
+    std::vector<double> walked_;
+};
+
+// Pieces may be longer than asked for by this factor before they are halved.
+constexpr double kStretch = 1.25;
+constexpr int kHalvings = 12;
+
+// Cuts a side into pieces, as parts of its length.
+class Pieces {
+  public:
+    Pieces(const DomainCurve& curve, const ArcLength& arc, double length, const Scale& scale,
+           const Density& density)
+        : curve_(curve),
+          arc_(arc),
+          length_(length / scale.length),
+          scale_(scale),
+          density_(density) {
+        const double coarsest = std::max(widest(density.u), widest(density.v)) / density.per_span;
+        const int count = std::max(density.least, static_cast<int>(std::ceil(length_ / coarsest)));
+        for (int k = 0; k < count; ++k) {
+            cut(static_cast<double>(k) / count, (k + 1.0) / count, kHalvings);
+        }
+        cuts_.push_back(1.0);
+    }
+
+    /// Where pieces begin, and 1.
+    [[nodiscard]] const std::vector<double>& cuts() const { return cuts_; }
+
+  private:
+    static double width(const Axis& axis, double t) {
+        const int span = axis.span_of(t);
+        return axis.upper(span) - axis.lower(span);
+    }
+    static double widest(const Axis& axis) {
+        double result = 0.0;
+        for (int k = 0; k < axis.spans(); ++k) {
+            result = std::max(result, axis.upper(k) - axis.lower(k));
+        }
+        return result;
+    }
+    [[nodiscard]] double spacing(double part) const {
+        const Eigen::Vector2d uv = curve_.at(arc_.at(part)) / scale_.length;
+        return std::min(width(density_.u, uv.x()), width(density_.v, uv.y())) / density_.per_span;
+    }
+    void cut(double from, double to, int halvings) {
+        const double middle = 0.5 * (from + to);
+        const double shortest = std::min({spacing(from), spacing(middle), spacing(to)});
+        if (halvings > 0 && (to - from) * length_ > kStretch * shortest) {
+            cut(from, middle, halvings - 1);
+            cut(middle, to, halvings - 1);
+        } else {
+            cuts_.push_back(from);
+        }
+    }
+
+    const DomainCurve& curve_;
+    const ArcLength& arc_;
+    double length_;
+    const Scale& scale_;
+    const Density& density_;
+    std::vector<double> cuts_;
+};
+
+// A place on a side and the part of the length for which it stands.
+struct Station {
+    double part, weight;
+};
+
+std::vector<Station> stations(const std::vector<double>& cuts, bool ends) {
+    std::vector<Station> result;
+    for (std::size_t k = 0; k < cuts.size(); ++k) {
+        const double before = k > 0 ? cuts[k] - cuts[k - 1] : 0.0;
+        const double after = k + 1 < cuts.size() ? cuts[k + 1] - cuts[k] : 0.0;
+        if (ends) {
+            result.push_back({cuts[k], 0.5 * (before + after)});
+        } else if (after > 0.0) {
+            result.push_back({cuts[k] + 0.5 * after, after});
+        }
+    }
+    return result;
 }
 
 // The part of a side over which it bends towards a corner at which it does not end.
@@ -63,17 +145,17 @@ struct Side {
     }
 };
 
-void sample_side(const Side& side, const DomainCurve& curve, const Scale& scale, int pieces,
-                 bool ends, BoundarySample sample, std::vector<BoundarySample>& samples) {
-    const std::vector<double> steps = equal_lengths(curve, ends ? pieces : 2 * pieces);
-    const std::size_t stride = ends ? 1 : 2;
-    for (std::size_t k = stride - 1; k < steps.size(); k += stride) {
-        const double s = steps[k];
+void sample_side(const Side& side, const DomainCurve& curve, const Scale& scale,
+                 const Density& density, bool ends, BoundarySample sample,
+                 std::vector<BoundarySample>& samples) {
+    const ArcLength arc(curve);
+    const Pieces pieces(curve, arc, side.length, scale, density);
+    for (const Station& station : stations(pieces.cuts(), ends)) {
+        const double s = arc.at(station.part);
         const RibbonPoint p = side.ribbon.at(s);
-        const bool corner = ends && (k == 0 || k + 1 == steps.size());
         const Eigen::Vector2d along = curve.derivative(s).normalized();
         sample.s = s;
-        sample.length = side.length / scale.length / pieces * (corner ? 0.5 : 1.0);
+        sample.length = station.weight * side.length / scale.length;
         sample.uv = curve.at(s) / scale.length;
         sample.across = Eigen::Vector2d(-along.y(), along.x());
         sample.point = (p.point + side.shift(s) - scale.centre) / scale.length;
@@ -81,9 +163,8 @@ void sample_side(const Side& side, const DomainCurve& curve, const Scale& scale,
         sample.inward = p.inward;
         sample.curvature = p.curvature * scale.length;
         sample.continuity = side.ribbon.continuity;
-        const double walked =
-            side.length * static_cast<double>(k) / static_cast<double>(steps.size() - 1);
-        sample.unmet_angle = sample.continuity >= Continuity::G1 ? side.unmet(walked) : 0.0;
+        sample.unmet_angle =
+            sample.continuity >= Continuity::G1 ? side.unmet(station.part * side.length) : 0.0;
         samples.push_back(sample);
     }
 }
@@ -108,8 +189,7 @@ std::vector<Corner> corners_of(const RibbonLoop& loop) {
 }
 
 std::vector<BoundarySample> sample_boundary(const Hole& hole, const Domain& domain,
-                                            const Scale& scale, double spacing, int least,
-                                            bool ends) {
+                                            const Scale& scale, const Density& density, bool ends) {
     std::vector<BoundarySample> samples;
     for (std::size_t l = 0; l < hole.loops.size(); ++l) {
         const RibbonLoop& loop = hole.loops[l];
@@ -131,9 +211,7 @@ std::vector<BoundarySample> sample_boundary(const Hole& hole, const Domain& doma
             BoundarySample sample;
             sample.loop = static_cast<int>(l);
             sample.ribbon = static_cast<int>(i);
-            const int pieces =
-                std::max(least, static_cast<int>(std::ceil(length / scale.length / spacing)));
-            sample_side(side, laid.curves[i], scale, pieces, ends, sample, samples);
+            sample_side(side, laid.curves[i], scale, density, ends, sample, samples);
         }
     }
     for (std::size_t k = 0; k < hole.through.size(); ++k) {

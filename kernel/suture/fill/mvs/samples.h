@@ -1,6 +1,7 @@
 #pragma once
 
 #include "suture/fill/mvs/layout.h"
+#include "suture/fill/mvs/net.h"
 #include "suture/model/ribbon.h"
 
 #include <Eigen/Core>
@@ -33,15 +34,24 @@ struct BoundarySample {
     double unmet_angle = 0.0;
 };
 
-/// Samples of all loops at equal arc lengths, about `spacing` apart (in the solver's unit) and at
-/// least `least` on a side, and then the inner points. `ends`: with the corners; else in the middle
-/// of equal pieces, which lie between the former.
+/// How densely a boundary is sampled: as finely as the net is divided where it runs.
+struct Density {
+    const Axis& u;
+    const Axis& v;
+    double per_span = 5.0;  ///< samples on the length of a span's shorter side, at least
+    int least = 8;          ///< on a side of the hole
+};
+
+/// Samples of all loops, and then the inner points. A side is cut into equal pieces, and each of
+/// those in halves until it is short enough; samples stand for half of the pieces around them.
+/// `ends`: where pieces meet, with the corners; else in the middle of the pieces, for which they
+/// stand.
 ///
 /// Where two ribbons do not end in the same point, each bends towards the middle of their ends: a
 /// jump would cost the angle there more than the gap that the model has anyway.
 [[nodiscard]] std::vector<BoundarySample> sample_boundary(const Hole& hole, const Domain& domain,
-                                                          const Scale& scale, double spacing,
-                                                          int least, bool ends);
+                                                          const Scale& scale,
+                                                          const Density& density, bool ends);
 
 /// A corner of a loop, between ribbon i - 1 and ribbon i.
 struct Corner {

@@ -6,9 +6,11 @@
 namespace suture::mvs {
 
 struct SolverOptions {
-    int steps = 6;          ///< at most
-    double settled = 1e-5;  ///< a step that moves the surface by less than this is the last one
-    double damping = 1e-2;  ///< of the first step, against the energy's weight
+    int steps = 6;            ///< at most
+    double settled = 1e-5;    ///< a step that moves the surface by less than this is the last one
+    double least_gain = 0.0;  ///< nor is there one after which less than this part of the objective
+                              ///< is to be gained by the next
+    double damping = 1e-2;    ///< of the first step, against the energy's weight
 };
 
 struct Convergence {

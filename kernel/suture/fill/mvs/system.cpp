@@ -103,7 +103,7 @@ BlockBand System::flat(const std::array<double, 4>& orders) const {
     // |D^k X|^2 has the binomial coefficients as multiplicities of its components.
     constexpr std::array<std::array<double, 4>, 4> kBinomial = {
         {{1, 0, 0, 0}, {1, 1, 0, 0}, {1, 2, 1, 0}, {1, 3, 3, 1}}};
-    BlockBand result(nv, 3 * nu, kDegree);
+    BlockBand result(nv, nu, kDegree);
     for (int j = 0; j < nv; ++j) {
         for (int dj = 0; dj <= std::min(kDegree, nv - 1 - j); ++dj) {
             Eigen::MatrixXd band = Eigen::MatrixXd::Zero(nu, kOrder);
@@ -115,11 +115,8 @@ BlockBand System::flat(const std::array<double, 4>& orders) const {
             }
             for (int i = 0; i < nu; ++i) {
                 for (int di = 0; di <= std::min(kDegree, nu - 1 - i); ++di) {
-                    for (int c = 0; c < 3; ++c) {
-                        const int row = 3 * nu * dj;
-                        result.column(j)(row + 3 * (i + di) + c, 3 * i + c) = band(i, di);
-                        result.column(j)(row + 3 * i + c, 3 * (i + di) + c) = band(i, di);
-                    }
+                    result.column(j)(nu * dj + i + di, i) = band(i, di);
+                    result.column(j)(nu * dj + i, i + di) = band(i, di);
                 }
             }
         }
@@ -155,7 +152,7 @@ Net System::start() const {
     BlockBand matrix(v_.count(), 3 * u_.count(), kDegree);
     // A little second-order energy: on a circle whose sides ask for position only, the third-order
     // energy leaves the paraboloid through it free.
-    matrix.add(flat({0.0, 0.0, kStartBending, 1.0}), kStartEnergy);
+    matrix.add_per_component(flat({0.0, 0.0, kStartBending, 1.0}), kStartEnergy);
     Eigen::VectorXd right = Eigen::VectorXd::Zero(matrix.rows());
     for (const Span& span : spans_) {
         if (span.samples.empty()) {
@@ -189,59 +186,77 @@ Net System::start() const {
     return {u_, v_, Eigen::Map<const Eigen::Matrix3Xd>(x.data(), 3, x.size() / 3)};
 }
 
-void System::add_energy(const Span& span, const LocalPoles& poles, LocalMatrix& matrix,
-                        LocalVector& gradient, double& objective) const {
-    if (span.points.empty()) {
-        return;
+// A span's residuals and their derivatives with respect to its poles.
+class System::Rows {
+  public:
+    explicit Rows(std::size_t most)
+        : derivatives_(3 * kLocal, static_cast<Eigen::Index>(most)),
+          residuals_(static_cast<Eigen::Index>(most)) {}
+
+    /// The place for the derivatives of one more residual.
+    Eigen::Map<LocalPoles> next(double residual) {
+        residuals_[count_] = residual;
+        return Eigen::Map<LocalPoles>(derivatives_.col(count_++).data());
     }
-    // Row 4 p + r: residual r at point p.
-    Eigen::MatrixXd J(4 * span.points.size(), 3 * kLocal);
-    Eigen::VectorXd r(4 * span.points.size());
-    Eigen::Index row = 0;
+    [[nodiscard]] auto derivatives() const { return derivatives_.leftCols(count_); }
+    [[nodiscard]] auto residuals() const { return residuals_.head(count_); }
+
+  private:
+    Eigen::Matrix<double, 3 * kLocal, Eigen::Dynamic> derivatives_;
+    Eigen::VectorXd residuals_;
+    Eigen::Index count_ = 0;
+};
+
+void System::add_energy(const Span& span, const LocalPoles& poles, Rows& rows) const {
     for (const QuadraturePoint& point : span.points) {
         const LocalBasis basis = basis_at(point);
-        const Derivatives X = poles * basis;
-        const CurvatureVariation variation = linearised_curvature_variation(X);
+        const CurvatureVariation variation =
+            linearised_curvature_variation(poles.lazyProduct(basis));
         const double scale = std::sqrt(weights_.energy * point.weight);
-        r.segment<4>(row) = scale * variation.residual;
-        for (int k = 0; k < 4; ++k, ++row) {
+        for (int k = 0; k < 4; ++k) {
             const Eigen::Map<const Derivatives> chain(variation.jacobian.col(k).data());
-            const LocalPoles pulled = scale * chain * basis.transpose();
-            J.row(row) = Eigen::Map<const LocalVector>(pulled.data()).transpose();
+            rows.next(scale * variation.residual[k]) =
+                (scale * chain).lazyProduct(basis.transpose());
         }
     }
-    add_gram(J, matrix);
-    gradient.noalias() += J.transpose() * r;
-    objective += 0.5 * r.squaredNorm();
 }
 
-void System::add_conditions(const Span& span, const LocalPoles& poles, LocalMatrix& matrix,
-                            LocalVector& gradient, double& objective) const {
+void System::add_conditions(const Span& span, const LocalPoles& poles, Rows& rows) const {
     for (const std::size_t k : span.samples) {
         const BoundarySample& s = samples_[k];
         const SampleBasis& b = sample_bases_[k];
-        const Residuals w = residual_weights(k);
-        const Residuals r = residuals(k, poles);
-        objective += 0.5 * w.dot(r.cwiseAbs2());
-        LocalPoles J = s.normal * b.across.transpose();
-        LocalPoles pulled = w[0] * r.head<3>() * b.value.transpose() + w[3] * r[3] * J;
-        Eigen::Map<const LocalVector> row(J.data());
+        const Residuals w = residual_weights(k).cwiseSqrt();
+        const Residuals r = w.cwiseProduct(residuals(k, poles));
         if (w[3] > 0.0) {
-            matrix.selfadjointView<Eigen::Lower>().rankUpdate(row, w[3]);
+            rows.next(r[3]) = (w[3] * s.normal).lazyProduct(b.across.transpose());
         }
         if (w[4] > 0.0) {
-            const Eigen::Vector3d pull = 2.0 * s.curvature * (poles * b.across);
-            J = s.normal * b.second.transpose() - pull * b.across.transpose();
-            pulled += w[4] * r[4] * J;
-            matrix.selfadjointView<Eigen::Lower>().rankUpdate(row, w[4]);
+            const Eigen::Vector3d pull = 2.0 * s.curvature * poles.lazyProduct(b.across);
+            rows.next(r[4]) = w[4] * (s.normal.lazyProduct(b.second.transpose()) -
+                                      pull.lazyProduct(b.across.transpose()));
         }
-        gradient += Eigen::Map<const LocalVector>(pulled.data());
-        for (int q = 0; q < kLocal; ++q) {
-            for (int p = q; p < kLocal; ++p) {
-                const double entry = w[0] * b.value[p] * b.value[q];
-                for (int c = 0; c < 3; ++c) {
-                    matrix(3 * p + c, 3 * q + c) += entry;
-                }
+    }
+}
+
+// Position is alike in x, y and z: a matrix of a third of the size.
+void System::add_positions(const Span& span, const LocalPoles& poles, Local& local) const {
+    if (span.samples.empty()) {
+        return;
+    }
+    Eigen::Matrix<double, kLocal, kLocal> gram = decltype(gram)::Zero();
+    Eigen::Map<LocalPoles> gradient(local.gradient.data());
+    for (const std::size_t k : span.samples) {
+        const LocalValues& value = sample_bases_[k].value;
+        const double weight = samples_[k].length;
+        const Eigen::Vector3d miss = poles.lazyProduct(value) - samples_[k].point;
+        gram.selfadjointView<Eigen::Lower>().rankUpdate(value, weight);
+        gradient += (weight * miss).lazyProduct(value.transpose());
+        local.objective += 0.5 * weight * miss.squaredNorm();
+    }
+    for (int q = 0; q < kLocal; ++q) {
+        for (int p = q; p < kLocal; ++p) {
+            for (int c = 0; c < 3; ++c) {
+                local.matrix(3 * p + c, 3 * q + c) += gram(p, q);
             }
         }
     }
@@ -269,11 +284,6 @@ void System::scatter(const Span& span, const LocalVector& local, Eigen::VectorXd
 System::Linearised System::linearise(const Net& net) const {
     Linearised result{BlockBand(v_.count(), 3 * u_.count(), kDegree),
                       Eigen::VectorXd::Zero(net.unknowns()), 0.0};
-    struct Local {
-        LocalMatrix matrix;
-        LocalVector gradient;
-        double objective = 0.0;
-    };
     // Row by row: the spans of a row side by side, then added in their own order, so that the sums
     // are the same on any number of threads.
     const auto width = static_cast<std::size_t>(u_.spans());
@@ -283,12 +293,15 @@ System::Linearised System::linearise(const Net& net) const {
             const Span& span = spans_[first + i];
             Local& local = row[i];
             if (!span.empty()) {
-                local.matrix.setZero();
-                local.gradient.setZero();
-                local.objective = 0.0;
                 const LocalPoles poles = net.local_poles(span.u, span.v);
-                add_energy(span, poles, local.matrix, local.gradient, local.objective);
-                add_conditions(span, poles, local.matrix, local.gradient, local.objective);
+                Rows rows(4 * span.points.size() + 2 * span.samples.size());
+                add_energy(span, poles, rows);
+                add_conditions(span, poles, rows);
+                local.matrix.setZero();
+                add_gram(rows.derivatives(), local.matrix);
+                local.gradient = rows.derivatives() * rows.residuals();
+                local.objective = 0.5 * rows.residuals().squaredNorm();
+                add_positions(span, poles, local);
             }
         });
         for (std::size_t i = 0; i < width; ++i) {
@@ -300,11 +313,10 @@ System::Linearised System::linearise(const Net& net) const {
             }
         }
     }
-    const Eigen::Map<const Eigen::VectorXd> x(net.poles.data(), net.unknowns());
-    const Eigen::VectorXd flat = weights_.energy * flat_.times(x);
-    result.matrix.add(flat_, weights_.energy);
-    result.gradient += flat;
-    result.objective += 0.5 * flat.dot(x);
+    const Eigen::Matrix3Xd flat = weights_.energy * flat_.times(net.poles.transpose()).transpose();
+    result.matrix.add_per_component(flat_, weights_.energy);
+    result.gradient += flat.reshaped();
+    result.objective += 0.5 * flat.cwiseProduct(net.poles).sum();
     return result;
 }
 
@@ -314,7 +326,7 @@ double System::objective(const Net& net) const {
         const Span& span = spans_[i];
         const LocalPoles poles = net.local_poles(span.u, span.v);
         for (const QuadraturePoint& point : span.points) {
-            const Derivatives X = poles * basis_at(point);
+            const Derivatives X = poles.lazyProduct(basis_at(point));
             sums[i] += weights_.energy * point.weight * curvature_variation(X).squaredNorm();
         }
         for (const std::size_t k : span.samples) {
@@ -322,8 +334,8 @@ double System::objective(const Net& net) const {
         }
     });
     const double sum = std::accumulate(sums.begin(), sums.end(), 0.0);
-    const Eigen::Map<const Eigen::VectorXd> x(net.poles.data(), net.unknowns());
-    return 0.5 * (sum + weights_.energy * x.dot(flat_.times(x)));
+    const Eigen::MatrixX3d x = net.poles.transpose();
+    return 0.5 * (sum + weights_.energy * x.cwiseProduct(flat_.times(x)).sum());
 }
 
 void System::set_weights(const Weights& weights) {
@@ -337,7 +349,7 @@ double System::normal_move(const Net& net, const Net& moved) const {
         const LocalPoles poles = net.local_poles(span.u, span.v);
         const LocalPoles change = moved.local_poles(span.u, span.v) - poles;
         for (const QuadraturePoint& point : span.points) {
-            const Derivatives X = poles * basis_at(point);
+            const Derivatives X = poles.lazyProduct(basis_at(point));
             const Eigen::Vector3d n = X.col(0).cross(X.col(1)).normalized();
             const LocalValues values = local_values(u_rows_[point.u_row], v_rows_[point.v_row]);
             largest = std::max(largest, std::abs(n.dot(change * values)));

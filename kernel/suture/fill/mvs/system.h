@@ -45,7 +45,8 @@ class System {
     [[nodiscard]] Linearised linearise(const Net& net) const;
 
     /// The flat second-order energy over the box, by which steps are damped: it keeps the
-    /// parametrisation, which the energy leaves free, from wandering.
+    /// parametrisation, which the energy leaves free, from wandering. Alike in x, y and z: one row
+    /// a pole.
     [[nodiscard]] const BlockBand& damping() const { return damping_; }
 
     /// The largest move of the surface along its normal, between two nets.
@@ -79,6 +80,13 @@ class System {
     using LocalMatrix = Eigen::Matrix<double, 3 * kLocal, 3 * kLocal>;
     using LocalVector = Eigen::Matrix<double, 3 * kLocal, 1>;
     using LocalPoles = Eigen::Matrix<double, 3, kLocal>;
+    class Rows;
+    /// What one span adds to the linearised system.
+    struct Local {
+        LocalMatrix matrix;
+        LocalVector gradient;
+        double objective = 0.0;
+    };
 
     void place_quadrature(const std::vector<Eigen::Matrix2Xd>& polygons);
     void place_samples();
@@ -86,10 +94,9 @@ class System {
     [[nodiscard]] LocalBasis basis_at(const QuadraturePoint& point) const;
     [[nodiscard]] Residuals residuals(std::size_t sample, const LocalPoles& poles) const;
     [[nodiscard]] Residuals residual_weights(std::size_t sample) const;
-    void add_energy(const Span& span, const LocalPoles& poles, LocalMatrix& matrix,
-                    LocalVector& gradient, double& objective) const;
-    void add_conditions(const Span& span, const LocalPoles& poles, LocalMatrix& matrix,
-                        LocalVector& gradient, double& objective) const;
+    void add_energy(const Span& span, const LocalPoles& poles, Rows& rows) const;
+    void add_conditions(const Span& span, const LocalPoles& poles, Rows& rows) const;
+    void add_positions(const Span& span, const LocalPoles& poles, Local& local) const;
     void scatter(const Span& span, const LocalMatrix& local, BlockBand& matrix) const;
     void scatter(const Span& span, const LocalVector& local, Eigen::VectorXd& vector) const;
 
@@ -100,7 +107,7 @@ class System {
     std::vector<Span> spans_;                // u fastest
     std::vector<SampleBasis> sample_bases_;
     std::size_t point_count_ = 0;
-    BlockBand flat_;
+    BlockBand flat_;  // one row a pole, like damping_
     BlockBand damping_;
 };
 

@@ -52,11 +52,39 @@ TEST(BlockBand, MultipliesAsADenseMatrixDoes) {
     EXPECT_LT((band(A).times(right_side()) - A * right_side()).norm(), 1e-12);
 }
 
-TEST(BlockBand, AddsAMultiple) {
+TEST(BlockBand, AddsAMultipleToEveryComponent) {
     const Eigen::MatrixXd A = dense();
+    // One row for each component of A: its blocks are tridiagonal, as wide as there are of them.
+    constexpr int kComponents = 3;
+    constexpr int kRows = kSize / kComponents;
+    Eigen::MatrixXd B = Eigen::MatrixXd::Zero(A.rows() / kComponents, A.cols() / kComponents);
+    BlockBand small(kBlocks, kRows, kWidth);
+    for (int j = 0; j < kBlocks; ++j) {
+        for (int i = j; i < std::min(kBlocks, j + kWidth + 1); ++i) {
+            for (int q = 0; q < kRows; ++q) {
+                for (int p = 0; p < kRows; ++p) {
+                    if (std::abs(p - q) <= kWidth) {
+                        const double entry =
+                            1.0 + i + 0.5 * j + 0.1 * std::min(p, q) * std::max(p, q);
+                        small.column(j)((i - j) * kRows + p, q) = entry;
+                        B(i * kRows + p, j * kRows + q) = entry;
+                        B(j * kRows + q, i * kRows + p) = entry;
+                    }
+                }
+            }
+        }
+    }
+    Eigen::MatrixXd expected = A;
+    for (int c = 0; c < kComponents; ++c) {
+        for (Eigen::Index q = 0; q < B.cols(); ++q) {
+            for (Eigen::Index p = 0; p < B.rows(); ++p) {
+                expected(kComponents * p + c, kComponents * q + c) += 0.5 * B(p, q);
+            }
+        }
+    }
     BlockBand sum = band(A);
-    sum.add(band(A), 0.5);
-    EXPECT_LT((sum.times(right_side()) - 1.5 * A * right_side()).norm(), 1e-12);
+    sum.add_per_component(small, 0.5);
+    EXPECT_LT((sum.times(right_side()) - expected * right_side()).norm(), 1e-12);
 }
 
 TEST(BlockBand, RefusesAnIndefiniteMatrix) {
