@@ -3,6 +3,7 @@
 //     suture_judge OPEN.step OUT.step [TRUTH.brep]    prints one JSON object
 
 #include "bench/face_distance.h"
+#include "bench/fairness.h"
 #include <nlohmann/json.hpp>
 
 #include <BRepAdaptor_Surface.hxx>
@@ -191,6 +192,20 @@ Json json_of(const std::optional<double>& value) {
     return value && std::isfinite(*value) ? Json(*value) : Json();
 }
 
+/// Of all faces together.
+Json fairness_json(const std::vector<TopoDS_Face>& faces) {
+    double variation = 0.0;
+    double bending = 0.0;
+    int sign_changes = 0;
+    for (const TopoDS_Face& face : faces) {
+        const suture::bench::Fairness fairness = suture::bench::fairness_of(face);
+        variation += fairness.variation;
+        bending += fairness.bending;
+        sign_changes += fairness.sign_changes;
+    }
+    return {{"variation", variation}, {"bending", bending}, {"sign_changes", sign_changes}};
+}
+
 Json judge(const char* open_file, const char* out_file, const char* truth_file) {
     const TopoDS_Shape out = read_step(out_file);
     const Comparison comparison = compare(read_step(open_file), out);
@@ -199,9 +214,11 @@ Json judge(const char* open_file, const char* out_file, const char* truth_file) 
                 {"lost_faces", comparison.lost},
                 {"solids", count_of(out, TopAbs_SOLID)},
                 {"free_edges", free_edges_of(out)},
-                {"valid", static_cast<bool>(BRepCheck_Analyzer(out).IsValid())}};
+                {"valid", static_cast<bool>(BRepCheck_Analyzer(out).IsValid())},
+                {"fairness", fairness_json(comparison.added)}};
     if (truth_file != nullptr) {
         const std::vector<TopoDS_Face> truth = faces_of(read_brep(truth_file));
+        result["truth_fairness"] = fairness_json(truth);
         result["truth_to_new"] = json_of(one_way(truth, comparison.added));
         result["new_to_truth"] = json_of(one_way(comparison.added, truth));
     }

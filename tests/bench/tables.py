@@ -27,6 +27,9 @@ Made by `cmake --preset bench && cmake --build --preset bench` (tests/bench); no
 - **deviation**: largest distance between the new face and the lost one, both ways, divided by the hole's
   diameter; measured by `suture_judge`, which shares no code with the program. "-": the lost face is not
   known.
+- **variation**: integral of |grad II|^2 over the new faces times the diameter squared, in brackets that of
+  the lost face; **signs**: how often the Gauss curvature changes its sign, likewise. By `suture_judge`.
+  Where the new face varies less than the lost one, the boundary does not tell what was inside.
 - **net**: degree and number of poles of the new surfaces, or the name of a closed form.
 - **valid**: the written file holds no free edge where the hole was, and OCCT's BRepCheck finds nothing
   wrong with it, by the judge; "re-trimmed": so many old faces whose border has moved, by less than
@@ -34,7 +37,8 @@ Made by `cmake --preset bench && cmake --build --preset bench` (tests/bench); no
 """
 
 COLUMNS = (
-    "method", "fill s", "all s", "MB", "gap", "angle", "curvature", "deviation", "net", "valid", "result",
+    "method", "fill s", "all s", "MB", "gap", "angle", "curvature", "deviation", "variation", "signs",
+    "net", "valid", "result",
 )  # fmt: skip
 
 
@@ -54,6 +58,17 @@ def table(columns, rows):
     lines = ["| " + " | ".join(columns) + " |", "|" + "---|" * len(columns)]
     lines += ["| " + " | ".join(str(cell).replace("|", "/") for cell in row) + " |" for row in rows]
     return "\n".join(lines) + "\n"
+
+
+def fairness_of(row):
+    """(variation, signs): of the new faces, with the lost one's in brackets."""
+    new, old = row["judge"].get("fairness"), row["judge"].get("truth_fairness")
+    if new is None:
+        return "-", "-"
+    size = row["diameter"] ** 2
+    cells = number(new["variation"] * size), new["sign_changes"]
+    lost = (number(old["variation"] * size), old["sign_changes"]) if old else None
+    return tuple(f"{cell} ({lost[k]})" if lost else str(cell) for k, cell in enumerate(cells))
 
 
 def net_of(patches):
@@ -91,13 +106,14 @@ def cells_of(row):
     first = [row["method"], seconds(row["seconds_fill"]), seconds(row["seconds_process"])]
     first.append(f"{row['peak_bytes'] / 2**20:.0f}")
     if row["status"] != "filled":
-        return first + ["-"] * 6 + [result_of(row)]
+        return first + ["-"] * 8 + [result_of(row)]
     curvature = row["max_curvature_mismatch"]
     return first + [
         number(row["max_gap"]),
         number(row["max_angle_deg"]),
         number(None if curvature is None else 100 * curvature),
         number(row["judge"].get("fidelity")),
+        *fairness_of(row),
         net_of(row["patches"]),
         validity_of(row),
         result_of(row),

@@ -69,6 +69,14 @@ class Tables(unittest.TestCase):
         moved = FILLED | {"judge": FILLED["judge"] | {"changed_faces": 2}}
         self.assertIn("closed, 2 re-trimmed", tables.benchmark(RESULT | {"rows": [moved]}, None))
 
+    def test_fairness_stands_beside_the_lost_face_s(self):
+        fair = {"fairness": {"variation": 0.02, "sign_changes": 1}}
+        lost = {"truth_fairness": {"variation": 0.05, "sign_changes": 3}}
+        alone = FILLED | {"judge": FILLED["judge"] | fair}
+        both = FILLED | {"judge": FILLED["judge"] | fair | lost}
+        self.assertIn("| 2 | 1 |", tables.benchmark(RESULT | {"rows": [alone]}, None))
+        self.assertIn("| 2 (5) | 1 (3) |", tables.benchmark(RESULT | {"rows": [both]}, None))
+
     def test_a_judge_that_fails_is_not_hidden(self):
         bad = FILLED | {"judge": {"judge_error": "crashed"}}
         self.assertIn("judge failed: crashed", tables.benchmark(RESULT | {"rows": [bad]}, None))
