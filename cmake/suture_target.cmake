@@ -29,6 +29,27 @@ function(suture_folder name)
     set_property(GLOBAL APPEND PROPERTY SUTURE_TARGETS suture_${name}) # for tests/layering
 endfunction()
 
+# suture_module(NAME FOLDER SOURCES file... LINK library...)
+# What few runs of a folder need, with libraries that take long to load: suture_NAME.so, which
+# symbol_on_demand (kernel/suture/base/on_demand.h) finds on the program's run path.
+function(suture_module name folder)
+    cmake_parse_arguments(arg "" "" "SOURCES;LINK" ${ARGN})
+    set(module suture_module_${name})
+    add_library(${module} MODULE ${arg_SOURCES})
+    set_target_properties(${module} PROPERTIES PREFIX "" OUTPUT_NAME suture_${name}
+                                               LIBRARY_OUTPUT_DIRECTORY ${SUTURE_MODULE_DIR})
+    target_include_directories(${module} PRIVATE ${SUTURE_INCLUDE_ROOT} ${PROJECT_SOURCE_DIR}/kernel)
+    target_include_directories(${module} SYSTEM PRIVATE ${OpenCASCADE_INCLUDE_DIR})
+    target_compile_definitions(${module} PRIVATE OCCT_HANDLE_NOCAST)
+    target_link_libraries(${module} PRIVATE ${arg_LINK} suture_flags)
+    add_dependencies(suture_${folder} ${module})
+    # Programs elsewhere, which link the installed libraries.
+    target_link_options(
+        suture_${folder} INTERFACE
+        "$<INSTALL_INTERFACE:LINKER:-rpath,$<INSTALL_PREFIX>/${CMAKE_INSTALL_LIBDIR}/suture>")
+    install(TARGETS ${module} LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/suture)
+endfunction()
+
 # suture_group(NAME folder...): one name for several folders.
 function(suture_group name)
     add_library(suture_${name} INTERFACE)

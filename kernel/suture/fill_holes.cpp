@@ -119,10 +119,11 @@ void conclude(const TrialMeasure& measured, const Tolerance& tolerance, HoleRepo
     report.continuity_reached = g2 ? Continuity::G2 : g1 ? Continuity::G1 : Continuity::G0;
 }
 
-/// Fills one hole: its faces stand on the model's edges afterwards; none where it was refused.
+/// Fills one hole: its faces stand on the model's edges afterwards; none where it was refused. Adds
+/// its seconds to those of the outcome.
 Result<std::vector<TopoDS_Face>> fill_one(const std::vector<BoundaryLoop>& loops,
                                           const FillRequest& request, HoleReport& report,
-                                          double& seconds_in_methods) {
+                                          FillOutcome& outcome) {
     auto hole = extract_hole(loops);
     if (!hole) {
         return tl::unexpected(hole.error());
@@ -131,12 +132,14 @@ Result<std::vector<TopoDS_Face>> fill_one(const std::vector<BoundaryLoop>& loops
     std::vector<Wish> wishes = wishes_for(*hole, request);
     ask(*hole, wishes);
     const Tolerance tolerance = reachable(request, *hole, report);
+    const auto start = Clock::now();
     const auto choice = choose_smoothest(loops, *hole, wishes, request, tolerance);
+    outcome.seconds_choose += seconds_since(start);
     report_wishes(*hole, wishes, report);
     if (!choice) {
         return tl::unexpected(choice.error());
     }
-    seconds_in_methods += choice->seconds;
+    outcome.seconds_fill += choice->seconds;
     auto made = make_faces(loops, *hole, choice->fill);
     if (!made) {
         return tl::unexpected(made.error());
@@ -195,7 +198,7 @@ Result<FillOutcome> fill_holes(const TopoDS_Shape& shape, const occ::Numbering& 
                          fmt::format("filling hole {}", hole.front().id));
         HoleReport report = begin_report(hole, request);
         unite_corners(shape, hole);
-        const auto faces = fill_one(hole, request, report, outcome.seconds_fill);
+        const auto faces = fill_one(hole, request, report, outcome);
         if (faces) {
             report.status = FillStatus::Filled;
             outcome.new_faces.insert(outcome.new_faces.end(), faces->begin(), faces->end());

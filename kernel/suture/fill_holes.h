@@ -16,7 +16,8 @@ struct FillOutcome {
     TopoDS_Shape shape;
     std::vector<HoleReport> holes;
     std::vector<TopoDS_Face> new_faces;
-    double seconds_fill = 0.0;  ///< in the fill methods themselves
+    double seconds_fill = 0.0;    ///< in the fill methods themselves
+    double seconds_choose = 0.0;  ///< in these, and in making and measuring what each one gave
     double seconds_sew = 0.0;
 };
 

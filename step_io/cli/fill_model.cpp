@@ -182,6 +182,7 @@ class FillJob {
                 }
             }
             summary_.seconds.fill += outcome->seconds_fill;
+            summary_.seconds.choose += outcome->seconds_choose;
             summary_.seconds.sew += outcome->seconds_sew;
             model_.file.replace(part.part, outcome->shape, {});
             filled_.push_back({&part, std::move(*outcome)});

@@ -28,8 +28,9 @@ struct FillSettings {
 struct FillSeconds {
     double read = 0.0, detect = 0.0, sew = 0.0, check = 0.0, write = 0.0;
     double fill = 0.0;       ///< within the fill methods
+    double choose = 0.0;     ///< `fill`, and making and measuring what each method gave
     double reread = 0.0;     ///< the part of `check` that reads the output again
-    double fill_step = 0.0;  ///< the whole step: choosing, trying, `fill`, faces, joining
+    double fill_step = 0.0;  ///< the whole step: `choose`, ribbons, faces, joining
 };
 
 /// What of an output is read again and measured.

@@ -171,9 +171,10 @@ std::string verdict_of(const Counts& counts, const FillSummary& summary,
 }
 
 Json json_of_seconds(const FillSeconds& seconds) {
-    return {{"read", seconds.read},     {"detect", seconds.detect},      {"fill", seconds.fill},
-            {"sew", seconds.sew},       {"check", seconds.check},        {"write", seconds.write},
-            {"reread", seconds.reread}, {"fill_step", seconds.fill_step}};
+    return {
+        {"read", seconds.read},     {"detect", seconds.detect}, {"fill", seconds.fill},
+        {"sew", seconds.sew},       {"check", seconds.check},   {"write", seconds.write},
+        {"reread", seconds.reread}, {"choose", seconds.choose}, {"fill_step", seconds.fill_step}};
 }
 
 std::string_view name_of(MeasuredOn what) {

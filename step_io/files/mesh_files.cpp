@@ -1,8 +1,9 @@
 #include "files/mesh.h"
+#include "files/zip_module.h"
+#include "suture/base/on_demand.h"
 #include "suture/base/text.h"
 
 #include <fmt/ostream.h>
-#include <zip.h>
 
 #include <bit>
 #include <iterator>
@@ -73,49 +74,6 @@ std::string model_xml(const Mesh& mesh, const std::string& name) {
     return xml;
 }
 
-/// A zip archive in memory.
-class Archive {
-  public:
-    Archive()
-        : bytes_(zip_source_buffer_create(nullptr, 0, 0, nullptr)),
-          zip_(zip_open_from_source(bytes_, ZIP_TRUNCATE, nullptr)) {
-        zip_source_keep(bytes_);
-    }
-    ~Archive() {
-        zip_discard(zip_);
-        zip_source_free(bytes_);
-    }
-    Archive(const Archive&) = delete;
-    Archive& operator=(const Archive&) = delete;
-
-    /// `content` must live until the archive is closed.
-    void add(const char* name, std::string_view content) {
-        zip_source_t* source = zip_source_buffer(zip_, content.data(), content.size(), 0);
-        good_ = good_ && zip_file_add(zip_, name, source, ZIP_FL_ENC_UTF_8) >= 0;
-    }
-
-    Result<std::string> close() {
-        good_ = good_ && zip_close(zip_) == 0;
-        if (!good_) {
-            return fail(ErrorCode::Internal, "the zip archive cannot be made: {}",
-                        zip_strerror(zip_));
-        }
-        zip_ = nullptr;
-        zip_source_open(bytes_);
-        zip_source_seek(bytes_, 0, SEEK_END);
-        std::string content(static_cast<std::size_t>(zip_source_tell(bytes_)), '\0');
-        zip_source_seek(bytes_, 0, SEEK_SET);
-        zip_source_read(bytes_, content.data(), content.size());
-        zip_source_close(bytes_);
-        return content;
-    }
-
-  private:
-    zip_source_t* bytes_;
-    zip_t* zip_;
-    bool good_ = true;
-};
-
 }  // namespace
 
 Result<void> write_stl(const Mesh& mesh, std::ostream& stream) {
@@ -156,11 +114,16 @@ Result<void> write_obj(const Mesh& mesh, const std::string& name, std::ostream& 
 
 Result<void> write_3mf(const Mesh& mesh, const std::string& name, std::ostream& stream) {
     const std::string model = model_xml(mesh, name);
-    Archive archive;
-    archive.add("[Content_Types].xml", kContentTypes);
-    archive.add("_rels/.rels", kRelations);
-    archive.add("3D/3dmodel.model", model);
-    return archive.close().map([&](const std::string& bytes) { stream << bytes; });
+    MakeZip* const make_zip =
+        *static_cast<MakeZip* const*>(symbol_on_demand("suture_zip.so", "suture_make_zip"));
+    const ZipArchive archive = make_zip({{"[Content_Types].xml", kContentTypes},
+                                         {"_rels/.rels", kRelations},
+                                         {"3D/3dmodel.model", model}});
+    if (!archive.error.empty()) {
+        return fail(ErrorCode::Internal, "the zip archive cannot be made: {}", archive.error);
+    }
+    stream << archive.bytes;
+    return {};
 }
 
 }  // namespace suture::io

@@ -1,47 +1,53 @@
 #include "files/read_iges.h"
 
+#include "files/iges_module.h"
 #include "files/iges_text.h"
 #include "files/progress_indicator.h"
 #include "files/static_scope.h"
 #include "files/units.h"
-
-#include <IGESCAFControl_Reader.hxx>
-#include <IGESData_GlobalSection.hxx>
-#include <IGESData_IGESModel.hxx>
-#include <TCollection_HAsciiString.hxx>
+#include "suture/base/on_demand.h"
 
 namespace suture::io {
 
 namespace {
 
-void read_globals(const IGESData_GlobalSection& globals, ModelFile& model) {
-    const double millimetres = globals.UnitValue();
-    model.unit = unit_of_millimetres(millimetres);
-    model.precision = globals.Resolution() * millimetres;
-    if (!globals.AuthorName().IsNull()) {
-        model.origin.authors.emplace_back(globals.AuthorName()->ToCString());
+void take_over(const IgesGlobals& globals, ModelFile& model) {
+    model.unit = unit_of_millimetres(globals.unit);
+    model.precision = globals.resolution * globals.unit;
+    if (!globals.author.empty()) {
+        model.origin.authors.push_back(globals.author);
     }
-    if (!globals.CompanyName().IsNull()) {
-        model.origin.organizations.emplace_back(globals.CompanyName()->ToCString());
+    if (!globals.company.empty()) {
+        model.origin.organizations.push_back(globals.company);
     }
 }
 
 }  // namespace
+
+const IgesModule& iges_module() {
+    static const auto* const module =
+        static_cast<const IgesModule*>(symbol_on_demand("suture_iges.so", "suture_iges"));
+    module->make_parameters();
+    return *module;
+}
 
 Result<void> read_iges(ModelFile& model, std::string_view text, const Progress& progress) {
     if (Result<void> whole = check_iges_text(text, model.path); !whole) {
         return whole;
     }
     StaticScope scope;
+    const IgesModule& iges = iges_module();
     scope.set("xstep.cascade.unit", "MM");
-    IGESCAFControl_Reader reader;
-    if (reader.ReadFile(model.path.c_str()) != IFSelect_RetDone) {
+    const auto indicator = occ::make<ProgressIndicator>(progress, std::string("read"), 0.0, 1.0);
+    IgesGlobals globals;
+    const IgesOutcome outcome =
+        iges.read(model.path.c_str(), model.document, globals, indicator->Start());
+    if (outcome == IgesOutcome::FileFailed) {
         return fail(ErrorCode::Unreadable, "{} is damaged: OCCT cannot read it{}{}",
                     model.path.string(), scope.complaint().empty() ? "" : ": ", scope.complaint());
     }
-    read_globals(reader.IGESModel()->GlobalSection(), model);
-    const auto indicator = occ::make<ProgressIndicator>(progress, std::string("read"), 0.0, 1.0);
-    if (!reader.Transfer(model.document, indicator->Start()) && !progress.cancelled()) {
+    take_over(globals, model);
+    if (outcome == IgesOutcome::TransferFailed && !progress.cancelled()) {
         return fail(ErrorCode::Unreadable, "{} holds no shape that OCCT can read",
                     model.path.string());
     }

@@ -2,7 +2,6 @@
 
 #include "suture/base/contract.h"
 
-#include <IGESControl_Controller.hxx>
 #include <Message.hxx>
 #include <Message_Messenger.hxx>
 #include <STEPCAFControl_Controller.hxx>
@@ -47,8 +46,7 @@ StaticScope::StaticScope()
     printers.Clear();
     printers.Append(occ::make<FirstComplaint>(complaint_));
     XCAFDoc_ShapeTool::SetAutoNaming(false);  // no parts called "SOLID"
-    STEPCAFControl_Controller::Init();        // the parameters exist only after these
-    IGESControl_Controller::Init();
+    STEPCAFControl_Controller::Init();        // the parameters exist only after this
 }
 
 StaticScope::~StaticScope() {

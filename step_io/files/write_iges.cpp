@@ -1,8 +1,8 @@
 #include "files/write_iges.h"
 
+#include "files/iges_module.h"
 #include "files/static_scope.h"
 
-#include <IGESCAFControl_Writer.hxx>
 #include <TopExp.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 
@@ -26,6 +26,7 @@ bool has_sewn_shell(const TopoDS_Shape& shape) {
 
 Result<void> write_iges(const ModelFile& model, const std::string& name, std::ostream& stream) {
     StaticScope scope;
+    const IgesModule& iges = iges_module();
     scope.set("xstep.cascade.unit", "MM");
     scope.set("write.iges.unit", model.unit.c_str());
     scope.set("write.iges.brep.mode", has_sewn_shell(model.shape()) ? 1 : 0);
@@ -40,14 +41,14 @@ Result<void> write_iges(const ModelFile& model, const std::string& name, std::os
         scope.set("write.precision.mode", kUseGivenValue);
         scope.set("write.precision.val", model.precision);
     }
-    IGESCAFControl_Writer writer;
-    if (!writer.Transfer(model.document)) {
-        return fail(ErrorCode::Internal, "OCCT cannot write the model as IGES{}{}",
-                    scope.complaint().empty() ? "" : ": ", scope.complaint());
-    }
-    writer.ComputeModel();
-    if (!writer.Write(stream)) {
-        return fail(ErrorCode::WriteFailed, "OCCT could not print the IGES file");
+    switch (iges.write(model.document, stream)) {
+        case IgesOutcome::TransferFailed:
+            return fail(ErrorCode::Internal, "OCCT cannot write the model as IGES{}{}",
+                        scope.complaint().empty() ? "" : ": ", scope.complaint());
+        case IgesOutcome::FileFailed:
+            return fail(ErrorCode::WriteFailed, "OCCT could not print the IGES file");
+        case IgesOutcome::Done:
+            break;
     }
     return {};
 }

@@ -10,8 +10,10 @@ from pathlib import Path
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 
 import bench  # noqa: E402
+import overhead  # noqa: E402
 import tables  # noqa: E402
 from cases import Case, reopened_cases  # noqa: E402
+from program import Run as Ended  # noqa: E402
 from program import run  # noqa: E402
 
 FILLED = {
@@ -78,6 +80,21 @@ class Tables(unittest.TestCase):
     def test_a_judge_that_fails_is_not_hidden(self):
         bad = FILLED | {"judge": {"judge_error": "crashed"}}
         self.assertIn("judge failed: crashed", tables.benchmark(RESULT | {"rows": [bad]}, None))
+
+
+class Overhead(unittest.TestCase):
+    def seconds_of(self, method):
+        document = {
+            "holes": [{"method_requested": method}] * 2,
+            "seconds": {"fill": 1.0, "choose": 3.0, "fill_step": 4.0},
+        }
+        return overhead.method_seconds(Ended(0, 9.0, 9.0, 1, json.dumps(document), "", False))
+
+    def test_trying_and_measuring_is_what_auto_does(self):
+        self.assertEqual(self.seconds_of("auto"), 3.0)
+
+    def test_measuring_the_trial_of_one_method_is_overhead(self):
+        self.assertEqual(self.seconds_of("mvs"), 1.0)
 
 
 class Bench(unittest.TestCase):

@@ -63,6 +63,8 @@ class InstalledPackage(unittest.TestCase):
         step = self.folder / "head.step"
         step.write_text("ISO-10303-21;\nHEADER;\n", encoding="utf-8")
         self.assertIn("STEP", run(built / "io_consumer", step))
+        # By a module, which is looked for where the package lies.
+        self.assertEqual(run(built / "io_consumer", self.write_iges()).split(), ["IGES", "1"])
 
         linked = run("ldd", built / "core_consumer")
         self.assertNotIn("libTK", linked, "the core knows nothing of OCCT")
@@ -88,6 +90,24 @@ class InstalledPackage(unittest.TestCase):
 
     def test_the_program_is_installed_and_runs(self):
         self.assertRegex(run(self.prefix / "bin/suture", "--version"), r"\d+\.\d+\.\d+")
+
+    def test_the_installed_program_finds_its_modules_and_no_others(self):
+        self.write_iges()
+        modules = sorted(self.prefix.rglob("suture_*.so"))
+        self.assertEqual(
+            [module.name for module in modules],
+            ["suture_iges.so", "suture_occt_filling.so", "suture_zip.so"],
+        )
+        for module in modules:
+            module.unlink()
+        with self.assertRaisesRegex(AssertionError, "suture_iges.so"):
+            self.write_iges()
+
+    def write_iges(self):
+        iges = self.folder / "lid.igs"
+        example = sorted((SOURCE / "docs/examples").glob("*.step"))[0]
+        run(self.prefix / "bin/suture", "convert", example, iges)
+        return iges
 
 
 if __name__ == "__main__":

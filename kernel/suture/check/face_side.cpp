@@ -109,9 +109,9 @@ void FaceSide::set_up_direction(Direction& direction, bool is_u) const {
     direction.low = is_u ? surface_.FirstUParameter() : surface_.FirstVParameter();
     direction.high = is_u ? surface_.LastUParameter() : surface_.LastVParameter();
     direction.periodic = is_u ? surface_.IsUPeriodic() : surface_.IsVPeriodic();
-    const bool finite = is_finite(direction.low) && is_finite(direction.high);
-    direction.bounded = finite && !direction.periodic;
-    direction.size = finite ? direction.high - direction.low : length_;
+    direction.finite = is_finite(direction.low) && is_finite(direction.high);
+    direction.bounded = direction.finite && !direction.periodic;
+    direction.size = direction.finite ? direction.high - direction.low : length_;
     if (is_elementary()) {
         return;
     }

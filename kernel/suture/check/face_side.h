@@ -1,5 +1,7 @@
 #pragma once
 
+#include "suture/check/surface_grid.h"
+
 #include <Geom2dAdaptor_Curve.hxx>
 #include <GeomAdaptor_Surface.hxx>
 #include <TopoDS_Edge.hxx>
@@ -63,7 +65,7 @@ class FaceSide {
     /// One parameter direction of the surface.
     struct Direction {
         double low = 0.0, high = 0.0;  ///< only if bounded
-        bool bounded = false, periodic = false;
+        bool bounded = false, periodic = false, finite = false;
         double size = 1.0;           ///< of the range, or what stands for it
         std::vector<double> breaks;  ///< inner knots where the surface is less than C2
 
@@ -82,7 +84,9 @@ class FaceSide {
     [[nodiscard]] gp_Pnt2d nearest(double t, const gp_Pnt& local, gp_Pnt& on_surface);
     [[nodiscard]] gp_Pnt2d elementary_parameters(const gp_Pnt& local) const;
     [[nodiscard]] bool descend(const gp_Pnt& local, gp_Pnt2d& uv, gp_Pnt& on_surface) const;
-    void project_globally(const gp_Pnt& local, gp_Pnt2d& uv, gp_Pnt& on_surface) const;
+    /// Looks all over the surface for a point nearer than on_surface.
+    void project_globally(const gp_Pnt& local, gp_Pnt2d& uv, gp_Pnt& on_surface);
+    void search_grid(const gp_Pnt& local, gp_Pnt2d& uv, gp_Pnt& on_surface);
     [[nodiscard]] gp_Vec2d off_breaks(double t, const gp_Pnt2d& uv);
     void set_local(BorderPoint& result, double t, const gp_Pnt2d& uv, const gp_Pnt& local,
                    const gp_Vec& tangent, bool with_slope);
@@ -109,7 +113,8 @@ class FaceSide {
     bool pcurve_known_ = false;
     std::optional<Geom2dAdaptor_Curve> pcurve_;
     EdgeRange pcurve_range_;
-    std::optional<gp_Pnt2d> last_;  ///< parameters of the last point: the start without a pcurve
+    std::optional<SurfaceGrid> grid_;  ///< made when first needed
+    std::optional<gp_Pnt2d> last_;     ///< parameters of the last point: the start without a pcurve
     int pieces_ = 1;
     std::vector<double> passages_;
     int degree_ = 1;

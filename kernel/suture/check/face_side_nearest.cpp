@@ -17,8 +17,7 @@ constexpr int kNewtonSteps = 25;
 constexpr double kSingular = 1e-8;
 
 // A nearest point farther from the edge than this part of its length is doubted: the edge's curve
-// on the surface may have led to another sheet, so OCCT's search over the whole surface is asked
-// too.
+// on the surface may have led to another sheet, so the whole surface is searched too.
 constexpr double kFarFromEdge = 0.01;
 
 }  // namespace
@@ -89,7 +88,34 @@ bool FaceSide::descend(const gp_Pnt& local, gp_Pnt2d& uv, gp_Pnt& on_surface) co
     return false;
 }
 
-void FaceSide::project_globally(const gp_Pnt& local, gp_Pnt2d& uv, gp_Pnt& on_surface) const {
+void FaceSide::search_grid(const gp_Pnt& local, gp_Pnt2d& uv, gp_Pnt& on_surface) {
+    if (!grid_) {
+        grid_.emplace(surface_);
+    }
+    for (const SurfaceGrid::Minimum& minimum : grid_->minima(local)) {
+        if (minimum.at_least > local.Distance(on_surface)) {
+            continue;
+        }
+        const gp_Pnt2d start = grid_->downhill(surface_, local, minimum.uv);
+        const gp_Pnt at_start = surface_.Value(start.X(), start.Y());
+        gp_Pnt2d end = start;
+        gp_Pnt point;
+        if (!descend(local, end, point) || local.Distance(point) > local.Distance(at_start)) {
+            end = start;
+            point = at_start;
+        }
+        if (local.Distance(point) < local.Distance(on_surface) - kNewtonStep * length_) {
+            uv = end;
+            on_surface = point;
+        }
+    }
+}
+
+void FaceSide::project_globally(const gp_Pnt& local, gp_Pnt2d& uv, gp_Pnt& on_surface) {
+    if (directions_[0].finite && directions_[1].finite) {
+        search_grid(local, uv, on_surface);
+        return;
+    }
     const GeomAPI_ProjectPointOnSurf projection(local, surface_.Surface());
     if (projection.NbPoints() == 0 ||
         projection.LowerDistance() >= local.Distance(on_surface) - kNewtonStep * length_) {

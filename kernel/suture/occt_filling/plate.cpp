@@ -1,17 +1,16 @@
 #include "suture/occt_filling/plate.h"
 
+#include "suture/base/on_demand.h"
 #include "suture/occ/convert.h"
 #include "suture/occ/guard.h"
 #include "suture/occ/isolate.h"
+#include "suture/occt_filling/filling_module.h"
 #include "suture/occt_filling/invert.h"
 
-#include <BRepOffsetAPI_MakeFilling.hxx>
-#include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
 #include <BinTools.hxx>
 #include <Geom2d_Curve.hxx>
 #include <GeomConvert.hxx>
-#include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Compound.hxx>
 #include <TopoDS_Iterator.hxx>
@@ -21,20 +20,6 @@
 
 namespace suture {
 namespace {
-
-/// BRepOffsetAPI_MakeFilling's ten constructor arguments.
-struct PlateArguments {
-    int energy_degree = 3;
-    int points_on_curve = 15;
-    int iterations = 2;
-    bool anisotropic = false;
-    double tolerance_2d = 1e-5;
-    double tolerance_3d = 1e-4;
-    double tolerance_angular = 0.01;
-    double tolerance_curvature = 0.1;
-    int highest_degree = 8;
-    int most_segments = 9;
-};
 
 PlateArguments arguments_of(PlateSetting setting) {
     PlateArguments arguments;
@@ -56,38 +41,32 @@ GeomAbs_Shape constraint(Continuity continuity) {
 /// OCCT's face, and after it the loop's edges as OCCT copied them, with their curves on the face.
 Result<TopoDS_Compound> run_filling(const BoundaryLoop& loop, const RibbonLoop& ribbons,
                                     const std::vector<Eigen::Vector3d>& through,
-                                    const PlateArguments& a) {
-    BRepOffsetAPI_MakeFilling filling(a.energy_degree, a.points_on_curve, a.iterations,
-                                      a.anisotropic, a.tolerance_2d, a.tolerance_3d,
-                                      a.tolerance_angular, a.tolerance_curvature, a.highest_degree,
-                                      a.most_segments);
+                                    const PlateArguments& arguments) {
+    std::vector<PlateSide> sides;
     for (std::size_t i = 0; i < loop.edges.size(); ++i) {
-        filling.Add(loop.edges[i].edge, loop.edges[i].face,
-                    constraint(ribbons.ribbons[i].continuity), /*IsBound=*/Standard_True);
+        sides.push_back(
+            {loop.edges[i].edge, loop.edges[i].face, constraint(ribbons.ribbons[i].continuity)});
     }
+    std::vector<gp_Pnt> points;
+    points.reserve(through.size());
     for (const Eigen::Vector3d& point : through) {
-        filling.Add(occ::to_point(point));
+        points.push_back(occ::to_point(point));
     }
-    filling.Build();
-    if (!filling.IsDone() || filling.Shape().IsNull()) {
-        return fail(ErrorCode::Refused, "OCCT's filling found no surface");
+    static MakePlate* const make_plate = *static_cast<MakePlate* const*>(
+        symbol_on_demand("suture_occt_filling.so", "suture_make_plate"));
+    MadePlate made = make_plate(sides, points, arguments);
+    switch (made.outcome) {
+        case MadePlate::Outcome::NoSurface:
+            return fail(ErrorCode::Refused, "OCCT's filling found no surface");
+        case MadePlate::Outcome::NoFace:
+            return fail(ErrorCode::Refused, "OCCT's filling made no face");
+        case MadePlate::Outcome::LostEdge:
+            return fail(ErrorCode::Refused, "OCCT's filling lost {}",
+                        name_of(ribbons.ribbons[made.lost]));
+        case MadePlate::Outcome::Done:
+            break;
     }
-    TopExp_Explorer it(filling.Shape(), TopAbs_FACE);
-    if (!it.More()) {
-        return fail(ErrorCode::Refused, "OCCT's filling made no face");
-    }
-    const BRep_Builder builder;
-    TopoDS_Compound made;
-    builder.MakeCompound(made);
-    builder.Add(made, it.Current());
-    for (std::size_t i = 0; i < loop.edges.size(); ++i) {
-        const auto& copies = filling.Generated(loop.edges[i].edge.Oriented(TopAbs_FORWARD));
-        if (copies.IsEmpty()) {
-            return fail(ErrorCode::Refused, "OCCT's filling lost {}", name_of(ribbons.ribbons[i]));
-        }
-        builder.Add(made, copies.First());
-    }
-    return made;
+    return std::move(made.shape);
 }
 
 std::string packed(const TopoDS_Shape& shape) {

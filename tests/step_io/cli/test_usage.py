@@ -23,6 +23,14 @@ class Usage(Case):
         # Processor time of the best run: other tests may keep the machine busy.
         self.assertLess(min(seconds), 0.2)
 
+    def test_libraries_that_few_runs_need_are_not_loaded_at_the_start(self):
+        """They doubled what the program adds to the start of a bare OCCT program."""
+        lines = subprocess.run(["ldd", PROGRAM], capture_output=True, text=True, check=True).stdout
+        loaded = {line.split()[0].partition(".so")[0] for line in lines.splitlines()}
+        self.assertIn("libTKXDESTEP", loaded)
+        seldom = {"libTKIGES", "libTKXDEIGES", "libTKOffset", "libTKFillet", "libopenblas", "libzip"}
+        self.assertEqual(seldom & loaded, set())
+
     def test_help_names_every_command_and_exit_code(self):
         text = self.expect(run("--help"), DONE).out
         for word in (*COMMANDS, "130/143", "unreadable input", "First steps"):

@@ -1,9 +1,12 @@
 #include "support/properties.h"
+#include "suture/occ/topology.h"
 
 #include "step_io/files/assembly.h"
 #include "step_io/files/describe.h"
 
 #include <BRepCheck_Analyzer.hxx>
+#include <BRepGProp.hxx>
+#include <GProp_GProps.hxx>
 
 namespace suture::io::test {
 
@@ -139,6 +142,52 @@ TEST(RoundTrip, KeepsWhatRealFilesSay) {
         EXPECT_EQ(again.schema, model.schema) << name;
         EXPECT_NEAR(again.precision, model.precision, 1e-5 * model.precision) << name;
     }
+}
+
+namespace {
+
+std::vector<double> areas_of(const TopoDS_Shape& shape) {
+    std::vector<double> areas;
+    for (const TopoDS_Face& face : occ::faces_of(shape)) {
+        GProp_GProps properties;
+        BRepGProp::SurfaceProperties(face, properties);
+        areas.push_back(properties.Mass());
+    }
+    return areas;
+}
+
+/// The changes of the faces' areas by writing and reading, relative.
+std::vector<double> changes_by_round_trip(const ModelFile& model,
+                                          const std::filesystem::path& file) {
+    write(model, file, Format::Step);
+    const auto before = areas_of(model.shape());
+    const auto after = areas_of(read(file).shape());
+    EXPECT_EQ(before.size(), after.size());
+    std::vector<double> changes;
+    for (std::size_t i = 0; i < std::min(before.size(), after.size()); ++i) {
+        changes.push_back(std::abs(after[i] - before[i]) / before[i]);
+    }
+    return changes;
+}
+
+}  // namespace
+
+/// A known limit (docs/cli.md, "Output"). The file states an accuracy of 1e-3 mm, and one of its
+/// edges lies 1.2e-3 mm off a face. OCCT's reader takes a curve on the surface that is off by more
+/// than the file states for wrong and makes it anew, each time that it reads the file.
+TEST(RoundTrip, MovesTheBorderOfOneFaceThatIsWorseThanItsFileStates) {
+    SUTURE_NEEDS_CAD_FILES();
+    const Folder folder;
+    const ModelFile model = read(cad("../reopened/R02_bspl3_basemount.open.step"));
+    const auto changes = changes_by_round_trip(model, folder / "once.step");
+    EXPECT_EQ(std::ranges::count_if(changes, [](double change) { return change > 1e-7; }), 1);
+    EXPECT_LT(std::ranges::max(changes), 2e-5);
+    // What is written then stays.
+    const ModelFile again = read(folder / "once.step");
+    EXPECT_LT(std::ranges::max(changes_by_round_trip(again, folder / "twice.step")), 1e-10);
+    // The same model, whose file states 1e-2 mm.
+    const ModelFile original = read(cad("4040_base_mount.step"));
+    EXPECT_LT(std::ranges::max(changes_by_round_trip(original, folder / "original.step")), 1e-10);
 }
 
 }  // namespace suture::io::test

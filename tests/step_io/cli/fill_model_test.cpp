@@ -1,0 +1,83 @@
+#include "cli/fill_model.h"
+
+#include "files/read.h"
+#include "suture/detect/find_loops.h"
+
+#include "step_io/files/describe.h"
+#include "step_io/files/files.h"
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <regex>
+
+namespace suture::cli::test {
+
+using io::test::describe;
+using io::test::Folder;
+
+namespace {
+
+/// A run that nobody watches.
+class SilentRun {
+  public:
+    SilentRun() : file_(open("/dev/null", O_WRONLY)) {}
+    ~SilentRun() { close(file_); }
+    SilentRun(const SilentRun&) = delete;
+    SilentRun& operator=(const SilentRun&) = delete;
+
+    Run& operator*() { return run_; }
+
+  private:
+    int file_;
+    Run run_{StageLine(file_), {}, ProgressStyle::None};
+};
+
+/// The tree with names, locations, colours and layers, without the sizes of parts that were filled.
+std::string tree_of(const io::ModelFile& model) {
+    static const std::regex sizes(" [0-9]+ faces, [^\n]*");
+    return std::regex_replace(describe(model), sizes, "");
+}
+
+}  // namespace
+
+/// Its 14 faces on offset surfaces, which OCCT does not read, leave 13 holes in 7 parts. Each of
+/// the faces has one bound in the file, so that no two of the loops are islands of one face. Here
+/// one of the holes of each size is filled that does not take a minute.
+TEST(FillModel, KeepsTreeNamesAndColoursOfAnAssemblyWithHolesInManyParts) {
+    SUTURE_NEEDS_CAD_FILES();
+    const Folder folder;
+    FillSettings settings;
+    settings.input = io::test::cad("Reflector_Definition.step");
+    settings.output = folder / "filled.step";
+    settings.request.method = "auto";
+    settings.request.holes = {{5}, {6}, {7}, {8}, {12}};
+    SilentRun run;
+    const auto summary = fill_model(*run, settings);
+    ASSERT_TRUE(summary) << summary.error().message;
+    EXPECT_EQ(summary->holes.size(), 13U);
+    EXPECT_EQ(std::ranges::count(summary->holes, FillStatus::Filled, &HoleReport::status), 5);
+
+    const auto plain = io::read_model(settings.input, {});
+    ASSERT_TRUE(plain) << plain.error().message;
+    io::test::write(*plain, folder / "plain.step", io::Format::Step);
+    const auto filled = io::test::read(settings.output);
+    EXPECT_EQ(tree_of(filled), tree_of(io::test::read(folder / "plain.step")));
+    EXPECT_EQ(occ::faces_of(filled.shape()).size(), occ::faces_of(plain->shape()).size() + 5);
+}
+
+TEST(FillModel, TakesNoTwoLoopsOfFacesWithOneBoundForIslands) {
+    SUTURE_NEEDS_CAD_FILES();
+    const auto model = io::read_model(io::test::cad("Reflector_Definition.step"), {});
+    ASSERT_TRUE(model) << model.error().message;
+    for (const io::Part& part : model->parts()) {
+        const auto loops = find_loops(part.shape, occ::Numbering(part.shape));
+        ASSERT_TRUE(loops) << loops.error().message;
+        for (const BoundaryLoop& loop : *loops) {
+            EXPECT_TRUE(loop.islands_with.empty()) << part.name << " loop " << loop.id;
+        }
+    }
+}
+
+}  // namespace suture::cli::test
