@@ -71,7 +71,7 @@ constexpr Weights kFine = {1e-10, 1e-6, 1e-8, 0.03, 1e-5};
 constexpr double kEnergyFactor = 0.01;
 constexpr double kLeastEnergy = 1e-13;
 constexpr SolverOptions kRoughSteps = {5, 3e-3, 0.0, 1e-2};
-constexpr SolverOptions kExactSteps = {8, 2e-6, 0.002, 1e-1};
+constexpr SolverOptions kExactSteps = {8, 2e-6, 0.0002, 1e-1};
 constexpr SolverOptions kFineSteps = {3, 3e-6, 0.05, 1.0};
 
 struct Goal {
