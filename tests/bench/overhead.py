@@ -55,7 +55,7 @@ def command(case, method, out):
 def method_seconds(one):
     """Of a run of `suture fill`: what its method took."""
     document = one.document()
-    methods = {hole["method_requested"] for hole in document["holes"]}
+    methods = {h["method_requested"] for h in document["holes"] if h["status"] != "skipped"}
     return document["seconds"]["choose" if methods == {"auto"} else "fill"]
 
 

@@ -17,7 +17,8 @@ HEADER = """\
 
 Made by `cmake --preset bench && cmake --build --preset bench` (tests/bench); not edited by hand.
 
-{program}, {date}; {processor}, {cores} cores; median of {runs} run(s).
+{program}, {date}; {processor}, {cores} cores; median of {runs} run(s); methods: {methods}.
+`tube`, `manifold`, `algebraic` and `concentric` have tables of their own on their pages in docs/methods.
 
 - **fill s**: seconds within the fill method, with `auto` in all that it tried; **all s**: the whole
   process, from reading to measuring; **MB**: its largest process.
@@ -196,7 +197,7 @@ aim is a ratio of at most 1.3.
 
 def benchmark(result, overhead):
     text = HEADER.format(runs=result["runs"], program=result["program"], date=result["date"],
-                         **result["machine"])  # fmt: skip
+                         methods=", ".join(result["methods"]), **result["machine"])  # fmt: skip
     text += f"\n## All holes\n\n{summary(result)}"
     if overhead:
         text += overhead_section(overhead)

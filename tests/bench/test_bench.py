@@ -85,7 +85,10 @@ class Tables(unittest.TestCase):
 class Overhead(unittest.TestCase):
     def seconds_of(self, method):
         document = {
-            "holes": [{"method_requested": method}] * 2,
+            "holes": [
+                {"method_requested": method, "status": "filled"},
+                {"method_requested": "", "status": "skipped"},
+            ],
             "seconds": {"fill": 1.0, "choose": 3.0, "fill_step": 4.0},
         }
         return overhead.method_seconds(Ended(0, 9.0, 9.0, 1, json.dumps(document), "", False))
