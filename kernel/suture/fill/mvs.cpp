@@ -2,6 +2,7 @@
 
 #include "suture/fill/mvs/fairing.h"
 #include "suture/fill/mvs/layout.h"
+#include "suture/fill/mvs/remember.h"
 
 namespace suture {
 namespace {
@@ -57,7 +58,8 @@ void note_corners(const Hole& hole, const Tolerance& tolerance, std::vector<std:
 
 }  // namespace
 
-Result<FillResult> fill_mvs(const Hole& hole, const FillOptions& options) {
+Result<FillResult> fill_mvs(const Hole& asked, const FillOptions& options) {
+    const Hole hole = mvs::remember(asked);
     const RibbonLoop& loop = hole.loops.front();
     const Result<mvs::Layout> layout = mvs::lay_out(loop, hole.diameter);
     if (!layout) {
