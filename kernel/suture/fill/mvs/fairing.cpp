@@ -45,14 +45,15 @@ constexpr double kCurvaturePart = 0.1;
 constexpr int kCheapPoles = 400;
 constexpr double kGoodEnough = 0.4 / kAnglePart;
 // A level that brings the worst sample less than this factor nearer brought nothing. So many such
-// levels in a row end it; the first, where the tolerances hold with some room or the surface is far
-// off.
+// levels in a row end it, fewer where the surface is far off; the first, where the tolerances hold
+// with some room.
 constexpr double kProgress = 0.8;
 constexpr int kPatience = 3;
+constexpr int kPoorPatience = 2;
 constexpr double kWithin = 0.8 / kAnglePart;
 
 int patience(double missed_by, bool poor) {
-    return missed_by <= kWithin ? 1 : poor ? 2 : kPatience;
+    return missed_by <= kWithin ? 1 : poor ? kPoorPatience : kPatience;
 }
 
 // Spans are halved where a sample misses its goal, and by this part of the worst miss.

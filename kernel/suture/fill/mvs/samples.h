@@ -39,8 +39,8 @@ struct BoundarySample {
 struct Density {
     const Axis& u;
     const Axis& v;
-    double per_span = 5.0;  ///< samples on the length of a span's shorter side, at least
-    int least = 8;          ///< on a side of the hole
+    double per_span;  ///< samples on the length of a span's shorter side, at least
+    int least;        ///< on a side of the hole
 };
 
 /// Samples of all loops, and then the inner points. A side is cut into equal pieces, and each of
