@@ -198,7 +198,9 @@ class FillJob {
         reread_.emplace(filled_);
         // OCCT writes and reads on one core: the others look at the shape meanwhile.
         if (settings_.format == io::Format::Step || is_mesh(settings_.format)) {
-            validity_.run([&] { summary_.validity = measure_validity(model_.file.shape()); });
+            validity_.run([&] {
+                summary_.validity = measure_validity(model_.file.shape(), ValidityDepth::Valid);
+            });
         }
         auto written = io::write_model(model_.file, settings_.output, settings_.format,
                                        settings_.mesh, reread_->faces());
@@ -223,9 +225,9 @@ class FillJob {
             });
         validity_.wait();
         if (summary_.measured_on == MeasuredOn::File) {
-            summary_.validity = measure_validity(*shape);
+            summary_.validity = measure_validity(*shape, ValidityDepth::Valid);
         } else if (summary_.measured_on == MeasuredOn::NewFaces) {
-            add_problems(measure_validity(*shape));
+            add_problems(measure_validity(*shape, ValidityDepth::Valid));
         }
         summary_.seconds.check = watch.seconds();
         return measured;

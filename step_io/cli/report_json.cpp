@@ -96,15 +96,18 @@ Json json_of(const SewingFacts& sewing) {
 }
 
 Json json_of(const Validity& validity) {
-    return {{"closed", validity.closed},
-            {"valid", validity.valid},
-            {"free_edges", validity.free_edges},
-            {"solids", validity.solids},
-            {"shells", validity.shells},
-            {"faces", validity.faces},
-            {"max_tolerance", validity.max_tolerance},
-            {"volume", validity.volume},
-            {"problems", strings_of(validity.problems)}};
+    Json result = {{"closed", validity.closed},
+                   {"valid", validity.valid},
+                   {"free_edges", validity.free_edges},
+                   {"solids", validity.solids},
+                   {"shells", validity.shells},
+                   {"faces", validity.faces},
+                   {"max_tolerance", validity.max_tolerance},
+                   {"problems", strings_of(validity.problems)}};
+    if (validity.volume) {
+        result["volume"] = *validity.volume;
+    }
+    return result;
 }
 
 Json json_of(const BoundaryLoop& loop, const io::Part& part, const std::vector<Corner>& corners) {

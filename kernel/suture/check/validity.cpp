@@ -108,6 +108,8 @@ Validity measure_validity(const TopoDS_Shape& shape, ValidityDepth depth) {
     result.max_tolerance = largest_tolerance(shape);
     if (depth == ValidityDepth::Full) {
         attempt("volume", result, [&] { result.volume = volume_of_solids(shape); });
+    }
+    if (depth != ValidityDepth::Topology) {
         attempt("BRepCheck", result, [&] {
             auto found = find_brepcheck_problems(shape, numbering);
             result.checked = true;

@@ -2,6 +2,7 @@
 
 #include <TopoDS_Shape.hxx>
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,7 +11,8 @@ namespace suture {
 /// How much of a shape's validity to look at.
 enum class ValidityDepth {
     Full,
-    Topology,  ///< without BRepCheck and the volume, which take about as long as the reading
+    Valid,     ///< without the volume, which can take longer than writing the model
+    Topology,  ///< without BRepCheck as well
 };
 
 /// Facts about a shape as a B-rep.
@@ -22,8 +24,9 @@ struct Validity {
     int shells = 0;
     int faces = 0;
     int free_edges = 0;
-    double max_tolerance = 0.0;  ///< of any vertex, edge or face
-    double volume = 0.0;         ///< of the solids; positive if normals point outwards; 0: not Full
+    double max_tolerance = 0.0;    ///< of any vertex, edge or face
+    std::optional<double> volume;  ///< of the solids, by OCCT's GProp; positive if normals point
+                                   ///< outwards; none: not Full
     std::vector<std::string> problems;  ///< what BRepCheck says, each with its FaceN or EdgeN
 };
 

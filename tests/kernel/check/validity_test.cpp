@@ -24,7 +24,7 @@ TEST(MeasureValidity, CountsAndWeighsSoundSolids) {
     EXPECT_EQ(box.shells, 1);
     EXPECT_EQ(box.faces, 6);
     EXPECT_EQ(box.free_edges, 0);
-    EXPECT_NEAR(box.volume, 6.0, 1e-12);
+    EXPECT_NEAR(box.volume.value_or(0.0), 6.0, 1e-12);
     EXPECT_EQ(box.max_tolerance, 1e-7);
     EXPECT_TRUE(box.problems.empty());
 
@@ -33,12 +33,13 @@ TEST(MeasureValidity, CountsAndWeighsSoundSolids) {
          BRepPrimAPI_MakeTorus(gp_Ax2({1e4, 0, 0}, {0, 0, 1}), 5.0, 2.0).Shape()}));
     EXPECT_TRUE(pair.closed);  // seams and degenerated edges are no free edges
     EXPECT_EQ(pair.solids, 2);
-    EXPECT_NEAR(pair.volume, 32.0 * kPi / 3.0 + 40.0 * kPi * kPi, 1e-7);
+    EXPECT_NEAR(pair.volume.value_or(0.0), 32.0 * kPi / 3.0 + 40.0 * kPi * kPi, 1e-7);
 }
 
 TEST(MeasureValidity, InsideOutSolidHasNegativeVolume) {
-    EXPECT_NEAR(measure_validity(BRepPrimAPI_MakeBox(1, 2, 3).Shape().Reversed()).volume, -6.0,
-                1e-12);
+    EXPECT_NEAR(
+        measure_validity(BRepPrimAPI_MakeBox(1, 2, 3).Shape().Reversed()).volume.value_or(0.0),
+        -6.0, 1e-12);
 }
 
 TEST(MeasureValidity, CountsTheFreeEdgesOfAnOpenShell) {
@@ -77,6 +78,14 @@ TEST(MeasureValidity, LooksAtTopologyOnlyWhenAsked) {
     EXPECT_FALSE(box.valid);
     EXPECT_TRUE(box.closed);
     EXPECT_EQ(box.faces, 6);
+    EXPECT_FALSE(box.volume);
+}
+
+TEST(MeasureValidity, LeavesOutTheVolumeWhenAsked) {
+    const auto box = measure_validity(BRepPrimAPI_MakeBox(1, 2, 3).Shape(), ValidityDepth::Valid);
+    EXPECT_TRUE(box.checked);
+    EXPECT_TRUE(box.valid);
+    EXPECT_FALSE(box.volume);
 }
 
 TEST(MeasureValidity, ReportsTheLargestTolerance) {
