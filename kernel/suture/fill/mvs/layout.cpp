@@ -67,20 +67,35 @@ class Integrations {
 // The normal about which a side turns.
 using NormalField = std::function<Eigen::Vector3d(double s)>;
 
+// Points around a loop, side by side.
+Eigen::Matrix3Xd space_polyline(const RibbonLoop& loop) {
+    Eigen::Matrix3Xd points(3, static_cast<Eigen::Index>(loop.ribbons.size()) * kPolylinePoints);
+    Eigen::Index at = 0;
+    for (const Ribbon& ribbon : loop.ribbons) {
+        for (int k = 0; k < kPolylinePoints; ++k) {
+            points.col(at++) = ribbon.at(static_cast<double>(k) / kPolylinePoints).point;
+        }
+    }
+    return points;
+}
+
+// The normal about which a loop runs counterclockwise, if it were planar.
+Eigen::Vector3d area_normal(const Eigen::Matrix3Xd& points) {
+    const Eigen::Vector3d origin = points.col(0);
+    Eigen::Vector3d area = Eigen::Vector3d::Zero();
+    for (Eigen::Index i = 1; i < points.cols(); ++i) {
+        const Eigen::Vector3d before = points.col(i - 1) - origin;
+        const Eigen::Vector3d after = points.col(i) - origin;
+        area += before.cross(after);
+    }
+    return area.normalized();
+}
+
 // Sides that want position only take the normals between those of the nearest sides that do have
 // a neighbour to follow, in the order of the loop, or else the loop's own.
 class Normals {
   public:
-    explicit Normals(const RibbonLoop& loop) : loop_(loop) {
-        for (const Ribbon& ribbon : loop.ribbons) {
-            const Eigen::Vector3d start = ribbon.at(0.0).point;
-            const Eigen::Vector3d middle = ribbon.at(0.5).point;
-            const Eigen::Vector3d end = ribbon.at(1.0).point;
-            area_ += (start - origin()).cross(middle - origin()) +
-                     (middle - origin()).cross(end - origin());
-        }
-        area_.normalize();
-    }
+    Normals(const RibbonLoop& loop, const Eigen::Vector3d& own) : loop_(loop), own_(own) {}
 
     [[nodiscard]] NormalField along(std::size_t i) const {
         const Ribbon& ribbon = loop_.ribbons[i];
@@ -93,7 +108,7 @@ class Normals {
             ++before;
         }
         if (before == n) {
-            return [normal = area_](double) { return normal; };
+            return [normal = own_](double) { return normal; };
         }
         std::size_t after = 1;
         while (!follows((i + after) % n)) {
@@ -115,10 +130,9 @@ class Normals {
     [[nodiscard]] bool follows(std::size_t i) const {
         return loop_.ribbons[i].continuity >= Continuity::G1;
     }
-    [[nodiscard]] Eigen::Vector3d origin() const { return loop_.ribbons.front().at(0.0).point; }
 
     const RibbonLoop& loop_;
-    Eigen::Vector3d area_ = Eigen::Vector3d::Zero();
+    Eigen::Vector3d own_;
 };
 
 Result<Side> sample_side(const Ribbon& ribbon, const NormalField& normal, int count,
@@ -185,6 +199,31 @@ double corner_turning(const Side& before, const Side& after) {
     return std::atan2(n.dot(a.cross(b)), a.dot(b) - a.dot(n) * b.dot(n));
 }
 
+// Within this of half a turn, rounding decides to which side a corner turns.
+constexpr double kCusp = radians(1.0);
+
+// The exterior angles at the sides' starts. Those of cusps are taken as the loop's turning, once
+// around, asks for: a cusp that points outwards turns by half a turn to the left, one inwards to
+// the right.
+std::vector<double> corner_turnings(const std::vector<Side>& sides) {
+    const std::size_t n = sides.size();
+    std::vector<double> corners(n);
+    double turning = 0.0;
+    for (std::size_t i = 0; i < n; ++i) {
+        corners[i] = corner_turning(sides[(i + n - 1) % n], sides[i]);
+        turning += corners[i] + sides[i].turning[sides[i].turning.size() - 1];
+    }
+    for (double& corner : corners) {
+        const double missing = 2.0 * kPi - turning;
+        if (std::abs(corner) > kPi - kCusp && corner * missing < 0.0 && std::abs(missing) > kPi) {
+            const double change = std::copysign(2.0 * kPi, missing);
+            corner += change;
+            turning += change;
+        }
+    }
+    return corners;
+}
+
 // In a polygon no corner turns by more than this: a cusp would leave no room for the others.
 constexpr double kSharpest = radians(120.0);
 
@@ -192,11 +231,10 @@ constexpr double kSharpest = radians(120.0);
 // lies in the reference development.
 class Development {
   public:
-    Development(std::vector<Side> sides, LayoutKind kind) : sides_(std::move(sides)) {
+    Development(std::vector<Side> sides, LayoutKind kind)
+        : sides_(std::move(sides)), corners_(corner_turnings(sides_)) {
         const std::size_t n = sides_.size();
-        corners_.resize(n);
         for (std::size_t i = 0; i < n; ++i) {
-            corners_[i] = corner_turning(sides_[(i + n - 1) % n], sides_[i]);
             if (kind != LayoutKind::Development) {
                 sides_[i].turning.setZero();
                 corners_[i] = kind == LayoutKind::Circle
@@ -323,17 +361,6 @@ Eigen::Matrix2Xd polyline(const std::vector<DomainCurve>& curves) {
     return points;
 }
 
-Eigen::Matrix3Xd space_polyline(const RibbonLoop& loop) {
-    Eigen::Matrix3Xd points(3, static_cast<Eigen::Index>(loop.ribbons.size()) * kPolylinePoints);
-    Eigen::Index at = 0;
-    for (const Ribbon& ribbon : loop.ribbons) {
-        for (int k = 0; k < kPolylinePoints; ++k) {
-            points.col(at++) = ribbon.at(static_cast<double>(k) / kPolylinePoints).point;
-        }
-    }
-    return points;
-}
-
 struct Box {
     double angle = 0.0;
     Eigen::Vector2d lower, upper;
@@ -438,7 +465,8 @@ DomainCurve DomainCurve::moved(const Eigen::Matrix2d& rotation,
 Result<Layout> lay_out(const RibbonLoop& loop, double diameter) {
     std::vector<Side> sides;
     Integrations integrations;
-    const Normals normals(loop);
+    const Eigen::Matrix3Xd points = space_polyline(loop);
+    const Normals normals(loop, area_normal(points));
     for (std::size_t i = 0; i < loop.ribbons.size(); ++i) {
         Result<Side> side = resolve_side(loop.ribbons[i], normals.along(i), diameter, integrations);
         if (!side) {
@@ -446,7 +474,7 @@ Result<Layout> lay_out(const RibbonLoop& loop, double diameter) {
         }
         sides.push_back(std::move(*side));
     }
-    if (crosses_in_space(space_polyline(loop), kTouching * diameter)) {
+    if (crosses_in_space(points, kTouching * diameter)) {
         return fail(ErrorCode::Refused, "the boundary from {} on crosses itself",
                     name_of(loop.ribbons.front()));
     }

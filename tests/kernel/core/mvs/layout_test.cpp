@@ -72,6 +72,46 @@ TEST(LayOut, ClosesKeepsLengthsAndRunsCounterclockwise) {
     EXPECT_GT(area, 0.0);
 }
 
+/// A flat sickle: a straight side and one that leaves it and comes back to it tangentially.
+Hole sickle(const Eigen::Matrix3d& turn, Continuity continuity) {
+    Hole hole;
+    auto& loop = hole.loops.emplace_back();
+    for (const bool straight : {true, false}) {
+        Ribbon ribbon;
+        ribbon.edge = ribbon.face = straight ? 1 : 2;
+        ribbon.continuity = continuity;
+        ribbon.at = [=](double s) {
+            const double x = straight ? 4.0 * s : 4.0 * (1.0 - s);
+            const double slope = straight ? 0.0 : 0.02 * x * (4.0 - x) * (8.0 - 4.0 * x);
+            const double y = straight ? 0.0 : 0.02 * std::pow(x * (4.0 - x), 2);
+            const double along = straight ? 4.0 : -4.0;
+            const Eigen::Vector3d tangent(along, along * slope, 0.0);
+            return RibbonPoint{turn * Eigen::Vector3d(x, y, 0.0), turn * tangent,
+                               turn * Eigen::Vector3d::UnitZ(),
+                               turn * Eigen::Vector3d::UnitZ().cross(tangent).normalized(),
+                               Eigen::Matrix3d::Zero()};
+        };
+        loop.ribbons.push_back(ribbon);
+    }
+    hole.diameter = 4.0;
+    return hole;
+}
+
+// A cusp turns by half a turn, to the left as good as to the right for all that rounding knows.
+TEST(LayOut, TurnsOutwardsAtCuspsInEveryPosition) {
+    for (double angle = 0.1; angle < 6.2; angle += 0.3) {
+        const Eigen::Matrix3d turn =
+            Eigen::AngleAxisd(angle, Eigen::Vector3d(1.0, angle, -2.0).normalized())
+                .toRotationMatrix();
+        for (const Continuity continuity : {Continuity::G0, Continuity::G1}) {
+            const Layout layout = laid_out(sickle(turn, continuity));
+            EXPECT_NEAR(layout.turning, 2.0 * kPi, 1e-6) << angle;
+            EXPECT_EQ(layout.kind, LayoutKind::Development) << angle;
+            EXPECT_TRUE(layout.simple) << angle;
+        }
+    }
+}
+
 TEST(LayOut, RefusesASideOfZeroLength) {
     const Hole hole =
         zoo::window(zoo::sphere(1.0), zoo::polygon({{0, 0}, {0.5, 0}, {0.5, 0}, {0.2, 0.4}}));
