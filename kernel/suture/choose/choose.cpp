@@ -156,6 +156,10 @@ std::string verdict(const std::string& name, const TrialMeasure& measured, const
 
 }  // namespace
 
+bool Choice::near() const {
+    return measured.score <= kNear;
+}
+
 Result<void> validate_method(const std::string& method) {
     std::string known = "auto";
     for (const FillMethod& row : fill_methods()) {
@@ -189,11 +193,14 @@ Result<Choice> choose_fill(const std::vector<BoundaryLoop>& loops, const Hole& h
         if (request.progress.cancelled()) {
             return fail(ErrorCode::Cancelled, "stopped while filling");
         }
-        if ((attempt.slow && effort == Effort::Quick) || (attempt.last_resort && best)) {
+        if (attempt.last_resort && best) {
             continue;
         }
-        if (automatic && attempt.slow && best && best->measured.score <= kNear) {
+        if (automatic && attempt.slow && best && best->near()) {
             verdicts.push_back(attempt.name + ": not tried");
+            continue;
+        }
+        if (attempt.slow && effort == Effort::Quick) {
             continue;
         }
         const auto start = Clock::now();

@@ -20,6 +20,9 @@ struct Choice {
     TrialMeasure measured;
     std::string reason;
     double seconds = 0.0;  ///< in the fill methods, all that were tried
+
+    /// OCCT's filling, which can take a minute, would not come noticeably nearer.
+    [[nodiscard]] bool near() const;
 };
 
 enum class Effort {

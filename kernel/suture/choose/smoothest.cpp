@@ -1,5 +1,7 @@
 #include "suture/choose/smoothest.h"
 
+#include "suture/check/profile.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -21,13 +23,91 @@ void for_each_side(Hole& hole, Action&& action) {
     }
 }
 
+/// A tangent fill that is sharper than this along a side is none: what the check calls a sharp
+/// edge.
+const double kSharp = Profile().sharp;
+
+/// Which sides ask for tangency by our own choice and came out sharp; none without a fill.
+std::vector<bool> sharp_sides(const std::vector<Wish>& wishes, const Result<Choice>& choice) {
+    std::vector<bool> sharp(wishes.size(), false);
+    for (std::size_t i = 0; choice && i < wishes.size(); ++i) {
+        sharp[i] = wishes[i].own && wishes[i].continuity == Continuity::G1 &&
+                   choice->measured.sides[i].angle > kSharp;
+    }
+    return sharp;
+}
+
+bool any(const std::vector<bool>& sides) {
+    return std::find(sides.begin(), sides.end(), true) != sides.end();
+}
+
+std::string why_not_tangent(const Result<Choice>& tangent) {
+    return "auto: position only, for tangency was tried: " +
+           (tangent ? tangent->reason : tangent.error().message);
+}
+
+/// Asks for position only along these sides.
+void relax(const std::vector<bool>& sides, const std::string& why, Hole& hole,
+           std::vector<Wish>& wishes) {
+    for_each_side(hole, [&](Ribbon& ribbon, std::size_t i) {
+        if (sides[i] && wishes[i].own) {
+            wishes[i] = {Continuity::G0, why};
+            ribbon.continuity = Continuity::G0;
+        }
+    });
+}
+
+/// The fill that is tangent where that was asked for, or the one that gives it up where the hole's
+/// walls have no tangent fill.
+Result<Choice> choose_tangent(const std::vector<BoundaryLoop>& loops, Hole& hole,
+                              std::vector<Wish>& wishes, const FillRequest& request,
+                              const Tolerance& tolerance) {
+    const bool ours =
+        std::any_of(wishes.begin(), wishes.end(), [](const Wish& w) { return w.own; });
+    if (!ours || request.method == "occt") {
+        return choose_fill(loops, hole, request, tolerance);  // OCCT's filling has its own ways
+    }
+    auto tangent = choose_fill(loops, hole, request, tolerance, Effort::Quick);
+    const std::vector<bool> sharp = sharp_sides(wishes, tangent);
+    if (!tangent && tangent.error().code == ErrorCode::Cancelled) {
+        return tangent;
+    }
+    if (tangent && !any(sharp)) {
+        return tangent->near() ? tangent : choose_fill(loops, hole, request, tolerance);
+    }
+    double seconds = tangent ? tangent->seconds : 0.0;
+    const std::string why = why_not_tangent(tangent);
+    const std::vector<bool> all(wishes.size(), true);
+    for (const std::vector<bool>& sides : {tangent ? sharp : steep_sides(hole), all}) {
+        if (!any(sides)) {
+            continue;
+        }
+        Hole relaxed = hole;
+        std::vector<Wish> fewer = wishes;
+        relax(sides, why, relaxed, fewer);
+        auto choice = choose_fill(loops, relaxed, request, tolerance, Effort::Quick);
+        seconds += choice ? choice->seconds : 0.0;
+        if (choice && choice->near() && !any(sharp_sides(fewer, choice))) {
+            choice->seconds = seconds;
+            hole = std::move(relaxed);
+            wishes = std::move(fewer);
+            return choice;
+        }
+    }
+    auto choice = choose_fill(loops, hole, request, tolerance);
+    if (choice) {
+        choice->seconds += seconds;
+    }
+    return choice;
+}
+
 }  // namespace
 
 Result<Choice> choose_smoothest(const std::vector<BoundaryLoop>& loops, Hole& hole,
                                 std::vector<Wish>& wishes, const FillRequest& request,
                                 const Tolerance& tolerance) {
     if (std::none_of(wishes.begin(), wishes.end(), [](const Wish& w) { return w.hoped; })) {
-        return choose_fill(loops, hole, request, tolerance);
+        return choose_tangent(loops, hole, wishes, request, tolerance);
     }
     auto smooth = choose_fill(loops, hole, request, tolerance, Effort::Quick);
     if (!smooth && smooth.error().code == ErrorCode::Cancelled) {
@@ -57,7 +137,7 @@ Result<Choice> choose_smoothest(const std::vector<BoundaryLoop>& loops, Hole& ho
             wishes[i].reason = "auto: with continuous curvature gap or angle are out of tolerance";
         }
     });
-    auto choice = choose_fill(loops, hole, request, tolerance);
+    auto choice = choose_tangent(loops, hole, wishes, request, tolerance);
     if (choice && smooth) {
         choice->seconds += smooth->seconds;
     }

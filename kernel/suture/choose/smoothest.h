@@ -6,9 +6,11 @@
 namespace suture {
 
 /// choose_fill, with G2 where that is hoped for: the fill that has it is kept if gap and angle stay
-/// within tolerance all around; else G1 is asked for in its place.
+/// within tolerance all around; else G1 is asked for in its place. Where our own methods have no
+/// tangent fill, or only one that is sharp along a side, position is asked for: along the sides
+/// that stand steeply on the opening or came out sharp, or else along all that are left to us.
 ///
-/// Changes  hole, wishes: what was hoped for and not reached becomes G1, with the reason.
+/// Changes  hole, wishes: what was not reached becomes G1 or G0, with the reason.
 [[nodiscard]] Result<Choice> choose_smoothest(const std::vector<BoundaryLoop>& loops, Hole& hole,
                                               std::vector<Wish>& wishes, const FillRequest& request,
                                               const Tolerance& tolerance);

@@ -21,6 +21,10 @@ constexpr int kSamples = 16;
 /// Out of flatness, as a fraction of the diameter, that still counts as a planar opening.
 constexpr double kPlanar = 1e-6;
 
+/// Out of flatness, as a fraction of the diameter, up to which the best plane says how the
+/// neighbours stand on the opening.
+constexpr double kShallow = 0.1;
+
 /// Cross tangents steeper than this on a planar opening mean an opening, not a missing skin: half
 /// way between a skin that lies in the plane and a duct that stands on it.
 constexpr double kSteep = radians(45.0);
@@ -107,6 +111,11 @@ bool lies_in_opening(const Ribbon& ribbon, const Opening& opening) {
     return true;
 }
 
+/// Angle between a cross tangent and the opening's plane.
+double steepness_of(const Vector3d& inward, const Opening& opening) {
+    return std::asin(std::min(1.0, std::abs(opening.normal.dot(inward.normalized()))));
+}
+
 /// The smallest angle between a cross tangent and the opening's plane, of the sides whose
 /// neighbours do not lie in it.
 double least_steepness(const Hole& hole, const Opening& opening) {
@@ -117,9 +126,8 @@ double least_steepness(const Hole& hole, const Opening& opening) {
                 continue;
             }
             for (int k = 0; k < kSamples; ++k) {
-                const Vector3d inward = ribbon.at((k + 0.5) / kSamples).inward;
                 least =
-                    std::min(least, std::asin(std::min(1.0, std::abs(opening.normal.dot(inward)))));
+                    std::min(least, steepness_of(ribbon.at((k + 0.5) / kSamples).inward, opening));
             }
         }
     }
@@ -180,14 +188,16 @@ Wish automatic(const RibbonLoop& loop, std::size_t i, const Vector3d& centre, do
                             ribbon.face, degrees(away), degrees(worst))};
     }
     if (!curvature) {
-        return {Continuity::G1, "auto: tangent to the neighbour"};
+        return {Continuity::G1, "auto: tangent to the neighbour", /*hoped=*/false, /*own=*/true};
     }
     for (const Joint& joint : {start, end}) {
         if (const std::string conflict = curvature_conflict(joint, diameter); !conflict.empty()) {
-            return {Continuity::G1, "auto: tangent only, for " + conflict};
+            return {Continuity::G1, "auto: tangent only, for " + conflict, /*hoped=*/false,
+                    /*own=*/true};
         }
     }
-    return {Continuity::G2, "auto: the neighbours' curvatures agree at both ends", /*hoped=*/true};
+    return {Continuity::G2, "auto: the neighbours' curvatures agree at both ends", /*hoped=*/true,
+            /*own=*/true};
 }
 
 /// What to ask a method for at most: `auto` has methods for everything, and OCCT's filling is not
@@ -201,16 +211,16 @@ Continuity highest_of(const std::string& method) {
     return method == "auto" ? Continuity::G2 : Continuity::G1;
 }
 
-/// What a planar opening asks for along one of its sides; nothing for a skin to be continued.
-std::optional<Wish> planar_wish(const Ribbon& ribbon, const Opening& opening, double steepness) {
+/// What an opening asks for along one of its sides; nothing for a skin to be continued.
+std::optional<Wish> wish_of_opening(const Ribbon& ribbon, const Opening& opening, bool planar,
+                                    double steepness) {
     if (steepness > kSteep) {
         return Wish{
             Continuity::G0,
-            fmt::format(
-                "the opening is planar and its neighbours stand on it at {:.0f} deg or more",
-                degrees(steepness))};
+            fmt::format("the neighbours stand on the opening at {:.0f} deg or more, as walls do",
+                        degrees(steepness))};
     }
-    if (lies_in_opening(ribbon, opening)) {
+    if (planar && lies_in_opening(ribbon, opening)) {
         return Wish{Continuity::G0,
                     fmt::format("face {} lies in the planar opening itself", ribbon.face)};
     }
@@ -234,7 +244,8 @@ std::optional<Wish> asked(const Ribbon& ribbon, const FillRequest& request) {
 std::vector<Wish> wishes_for(const Hole& hole, const FillRequest& request) {
     const Opening opening = opening_of(hole);
     const bool planar = opening.height <= kPlanar * hole.diameter;
-    const double steepness = planar ? least_steepness(hole, opening) : 0.0;
+    const bool shallow = opening.height <= kShallow * hole.diameter;
+    const double steepness = shallow ? least_steepness(hole, opening) : 0.0;
     const Continuity highest = highest_of(request.method);
     std::vector<Wish> wishes;
     for (const RibbonLoop& loop : hole.loops) {
@@ -244,8 +255,8 @@ std::vector<Wish> wishes_for(const Hole& hole, const FillRequest& request) {
             if (!wish && highest == Continuity::G0) {
                 wish = Wish{Continuity::G0, "the method joins in position only"};
             }
-            if (!wish && planar) {
-                wish = planar_wish(ribbon, opening, steepness);
+            if (!wish) {
+                wish = wish_of_opening(ribbon, opening, planar, steepness);
             }
             wishes.push_back(wish ? *wish
                                   : automatic(loop, i, opening.centre, hole.diameter,
@@ -253,6 +264,22 @@ std::vector<Wish> wishes_for(const Hole& hole, const FillRequest& request) {
         }
     }
     return wishes;
+}
+
+std::vector<bool> steep_sides(const Hole& hole) {
+    const Opening opening = opening_of(hole);
+    std::vector<bool> steep;
+    for (const RibbonLoop& loop : hole.loops) {
+        for (const Ribbon& ribbon : loop.ribbons) {
+            bool somewhere = false;
+            for (int k = 0; k < kSamples; ++k) {
+                const Vector3d inward = ribbon.at((k + 0.5) / kSamples).inward;
+                somewhere = somewhere || steepness_of(inward, opening) > kSteep;
+            }
+            steep.push_back(somewhere);
+        }
+    }
+    return steep;
 }
 
 }  // namespace suture

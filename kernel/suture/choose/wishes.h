@@ -13,17 +13,22 @@ struct Wish {
     Continuity continuity = Continuity::G1;
     std::string reason;
     bool hoped = false;  ///< G2 by our own choice: G1 will do where it costs gap or angle
+    bool own = false;    ///< G1 or G2 by our own choice: position will do where no fill is tangent
 };
 
 /// What to ask for along each side, side by side in the order of the loops.
 ///
 /// What the request says holds. Else (auto) G2 if the method can and the neighbours agree in normal
 /// and curvature at both ends of the side, otherwise G1, but G0
-///  - all around a planar opening whose neighbours stand steeply on its plane (the end of a duct,
-///    a box without a lid): a tangent fill would be a dome that nobody drew;
+///  - all around an opening on whose best plane all neighbours stand steeply (the end of a duct, a
+///    box without a lid): a tangent fill would be a dome that nobody drew;
 ///  - along a side whose neighbour lies in a planar opening itself;
 ///  - everywhere, if the method joins in position only;
 ///  - along a side whose neighbour leads away from the hole while its corners are not smooth.
 [[nodiscard]] std::vector<Wish> wishes_for(const Hole& hole, const FillRequest& request);
+
+/// Which sides' neighbours stand on the best plane through the border at more than 45 degrees
+/// somewhere, side by side in the order of the loops: walls that a fill can hardly be tangent to.
+[[nodiscard]] std::vector<bool> steep_sides(const Hole& hole);
 
 }  // namespace suture

@@ -2,11 +2,16 @@
 
 #include "support/grids.h"
 #include "support/properties.h"
+#include "suture/choose/smoothest.h"
+#include "suture/detect/find_loops.h"
 #include "suture/occ/convert.h"
 #include "suture/occ/handle.h"
+#include "suture/ribbon/extract.h"
 
 #include <gtest/gtest.h>
 
+#include <BRepAdaptor_Surface.hxx>
+#include <BRepAlgoAPI_Common.hxx>
 #include <BRepBuilderAPI_Copy.hxx>
 #include <BRepBuilderAPI_Transform.hxx>
 #include <BRepCheck_Analyzer.hxx>
@@ -361,6 +366,79 @@ TEST(FillHoles, IsContentWithTangencyWhereCurvatureIsNotReached) {
         EXPECT_EQ(side.requested, Continuity::G1);
         EXPECT_GT(side.curvature_mismatch, 1e-9);
         EXPECT_NE(side.reason.find("was tried"), std::string::npos) << side.reason;
+    }
+}
+
+/// A box with a round top, without it: walls around an opening that is not planar.
+TopoDS_Shape box_without_its_round_top() {
+    const TopoDS_Shape box = BRepPrimAPI_MakeBox(4.0, 3.0, 10.0).Shape();
+    const TopoDS_Shape rod =
+        BRepPrimAPI_MakeCylinder(gp_Ax2({-1.0, 1.5, 3.0}, {1.0, 0.0, 0.0}, {0.0, 0.0, -1.0}), 5.0,
+                                 6.0)
+            .Shape();
+    const TopoDS_Shape body = BRepAlgoAPI_Common(box, rod).Shape();
+    int number = 0;
+    for (TopExp_Explorer it(body, TopAbs_FACE); it.More(); it.Next(), ++number) {
+        if (BRepAdaptor_Surface(TopoDS::Face(it.Current())).GetType() == GeomAbs_Cylinder) {
+            return grids::without_faces(body, {number});
+        }
+    }
+    return {};
+}
+
+TEST(FillHoles, ClosesABoxWithoutItsRoundTopInPosition) {
+    const TopoDS_Shape open = box_without_its_round_top();
+    const auto outcome = fill(open);
+    ASSERT_TRUE(outcome) << outcome.error().message;
+    expect_closed_solid(*outcome);
+    const HoleReport& hole = outcome->holes.front();
+    ASSERT_EQ(hole.status, FillStatus::Filled) << hole.reason;
+    EXPECT_TRUE(hole.within_tolerance) << hole.reason;
+    for (const SideReport& side : hole.sides) {
+        EXPECT_EQ(side.requested, Continuity::G0);
+        EXPECT_NE(side.reason.find("as walls do"), std::string::npos) << side.reason;
+        EXPECT_GT(side.angle, radians(45.0));
+    }
+    // 4 times the area below an arc of radius 5 about (1.5, 3).
+    const double arc = 1.5 * std::sqrt(25.0 - 2.25) + 25.0 * std::asin(0.3);
+    const double truth = 4.0 * (3.0 * 3.0 + arc);
+    EXPECT_NEAR(volume(outcome->shape), truth, 1e-3 * truth);
+
+    FillRequest tangent;
+    tangent.continuity = Continuity::G1;
+    const auto asked = fill(open, tangent);
+    ASSERT_TRUE(asked) << asked.error().message;
+    for (const SideReport& side : asked->holes.front().sides) {
+        EXPECT_EQ(side.requested, Continuity::G1);
+    }
+}
+
+// Whose sides are asked for tangency by our own choice all the same.
+TEST(ChooseSmoothest, GivesUpTangencyWhereWallsLeaveNone) {
+    const TopoDS_Shape open = box_without_its_round_top();
+    const auto loops = find_loops(open, occ::Numbering(open));
+    ASSERT_TRUE(loops) << loops.error().message;
+    for (const bool own : {true, false}) {
+        auto hole = extract_hole(*loops);
+        ASSERT_TRUE(hole) << hole.error().message;
+        for (Ribbon& ribbon : hole->loops.front().ribbons) {
+            ribbon.continuity = Continuity::G1;
+        }
+        std::vector<Wish> wishes(4, {Continuity::G1, "tangent", /*hoped=*/false, own});
+        FillRequest request;
+        request.method = "mvs";
+        const auto choice = choose_smoothest(*loops, *hole, wishes, request, request.tolerance);
+        if (own) {
+            ASSERT_TRUE(choice) << choice.error().message;
+            EXPECT_TRUE(choice->near());
+        }
+        for (std::size_t i = 0; i < 4; ++i) {
+            const Continuity expected = own ? Continuity::G0 : Continuity::G1;
+            EXPECT_EQ(wishes[i].continuity, expected);
+            EXPECT_EQ(hole->loops.front().ribbons[i].continuity, expected);
+            EXPECT_EQ(wishes[i].reason.find("tangency was tried") != std::string::npos, own)
+                << wishes[i].reason;
+        }
     }
 }
 

@@ -99,7 +99,7 @@ TEST(WishesFor, AsksForPositionWhereANeighbourLiesInThePlanarOpening) {
             ASSERT_EQ(wishes.size(), 4U);
             for (const Wish& wish : wishes) {
                 EXPECT_EQ(wish.continuity, Continuity::G0) << wish.reason;
-                EXPECT_NE(wish.reason.find("stand on it at 90 deg"), std::string::npos)
+                EXPECT_NE(wish.reason.find("stand on the opening at 90 deg"), std::string::npos)
                     << wish.reason;
             }
         }
