@@ -20,6 +20,7 @@ struct SewnFaces {
 /// Connected faces as one shell: turned to agree with each other, outwards where it is closed.
 struct NewShell {
     TopoDS_Shell shell;
+    bool bounds_solid = false;  ///< it is closed and has an inside
     std::vector<int> members;  ///< indices of its faces
 };
 
