@@ -21,7 +21,7 @@ struct SewnFaces {
 struct NewShell {
     TopoDS_Shell shell;
     bool bounds_solid = false;  ///< it is closed and has an inside
-    std::vector<int> members;  ///< indices of its faces
+    std::vector<int> members;   ///< indices of its faces
 };
 
 /// Result  the connected shells of more than one face, or of one face that closes on itself.
