@@ -41,31 +41,6 @@ constexpr const char* kFooter =
     "Exit codes: 0 done, 1 wrong usage, 2 unreadable input, 3 nothing to do, 4 done but out of\n"
     "tolerance or some hole refused, 5 internal error or output not written, 130/143 interrupted.";
 
-/// More rows than a screen has are no help; the reports have them all.
-constexpr std::size_t kTerminalRows = 60;
-
-std::string text_of(const Outcome& outcome) {
-    std::string text;
-    for (const Section& section : outcome.sections) {
-        text += section.heading.empty() ? "" : section.heading + '\n';
-        const std::vector<std::vector<std::string>>& rows = section.table.rows();
-        Table shown(section.table);
-        if (rows.size() > kTerminalRows) {
-            shown.keep_first(kTerminalRows);
-        }
-        text += rows.empty() ? "" : shown.text();
-        if (rows.size() > kTerminalRows) {
-            text += fmt::format("... and {} more: --json and --report R.html have them all\n",
-                                rows.size() - kTerminalRows);
-        }
-        for (const std::string& note : section.notes) {
-            text += "  " + note + '\n';
-        }
-        text += '\n';
-    }
-    return text + outcome.verdict + '\n';
-}
-
 Result<std::string> report_text(const Command& command, Run& run, const Outcome& outcome,
                                 const std::string& extension) {
     const auto own = outcome.reports.find(extension);
@@ -83,7 +58,7 @@ Result<void> write_reports(const Command& command, Run& run, const Outcome& outc
         if (!text) {
             return tl::unexpected(text.error());
         }
-        const Result<void> written = write_text_file(report, *text);
+        Result<void> written = write_text_file(report, *text);
         if (!written) {
             return written;
         }
