@@ -21,7 +21,13 @@ constexpr std::string_view kListOptions[] = {"--hole", "--holes", "--edge", "--e
 /// A range like 1-1000000000 is a slip of the pen, not a list of edges.
 constexpr int kLongestRange = 1'000'000;
 
+/// How FreeCAD calls edge 12.
+constexpr std::string_view kFreecadEdge = "Edge";
+
 bool is_number_list(std::string_view word) {
+    if (word.starts_with(kFreecadEdge)) {
+        word.remove_prefix(kFreecadEdge.size());
+    }
     return !word.empty() && word.find_first_not_of("0123456789,+-") == std::string_view::npos &&
            word[0] >= '0' && word[0] <= '9';
 }
@@ -72,6 +78,16 @@ std::vector<std::string> join_number_lists(const std::vector<std::string>& words
     return joined;
 }
 
+namespace {
+
+/// 12 or Edge12.
+Result<int> parse_edge(std::string_view text) {
+    return parse_number(text.starts_with(kFreecadEdge) ? text.substr(kFreecadEdge.size()) : text,
+                        "an edge");
+}
+
+}  // namespace
+
 Result<std::vector<std::vector<int>>> parse_holes(std::string_view text) {
     std::vector<std::vector<int>> holes;
     for (const std::string_view entry : split(text, ',')) {
@@ -80,6 +96,9 @@ Result<std::vector<std::vector<int>>> parse_holes(std::string_view text) {
             const Result<int> id = parse_number(number, "a hole");
             if (!id) {
                 return tl::unexpected(id.error());
+            }
+            if (std::ranges::find(loops, *id) != loops.end()) {
+                return fail(ErrorCode::Usage, "'{}' names loop {} twice", entry, *id);
             }
             loops.push_back(*id);
         }
@@ -91,13 +110,12 @@ Result<std::vector<int>> parse_edges(std::string_view text) {
     std::vector<int> edges;
     for (const std::string_view entry : split(text, ',')) {
         const std::size_t dash = entry.find('-');
-        const Result<int> first = parse_number(entry.substr(0, dash), "an edge");
+        const Result<int> first = parse_edge(entry.substr(0, dash));
         if (!first) {
             return tl::unexpected(first.error());
         }
-        const Result<int> last = dash == std::string_view::npos
-                                     ? first
-                                     : parse_number(entry.substr(dash + 1), "an edge");
+        const Result<int> last =
+            dash == std::string_view::npos ? first : parse_edge(entry.substr(dash + 1));
         if (!last) {
             return tl::unexpected(last.error());
         }
@@ -129,7 +147,7 @@ Result<std::map<int, Continuity>> parse_edge_continuity(std::string_view text) {
         if (equals == std::string_view::npos) {
             return fail(ErrorCode::Usage, "'{}' names no continuity: write it as 12=G2", entry);
         }
-        const Result<int> edge = parse_number(entry.substr(0, equals), "an edge");
+        const Result<int> edge = parse_edge(entry.substr(0, equals));
         if (!edge) {
             return tl::unexpected(edge.error());
         }
@@ -169,6 +187,15 @@ Result<void> expect_writable(std::string_view option, const fs::path& output, co
     if (fs::is_directory(output, error)) {
         return fail(ErrorCode::Usage, "{} {} is a folder: name a file in it", option,
                     output.string());
+    }
+    const fs::file_status status = fs::status(output, error);
+    if (fs::exists(status) && !fs::is_regular_file(status)) {
+        return fail(ErrorCode::Usage, "{} {} is no ordinary file: name another one", option,
+                    output.string());
+    }
+    if (fs::exists(status) && access(output.c_str(), W_OK) != 0) {
+        return fail(ErrorCode::Usage, "{} {} is there and must not be written ({})", option,
+                    output.string(), std::strerror(errno));
     }
     const fs::path folder = output.has_parent_path() ? output.parent_path() : fs::path(".");
     if (!fs::is_directory(folder, error)) {

@@ -146,7 +146,7 @@ std::shared_ptr<Command> add_check(CLI::App& app) {
     sub.add_option("--sharp", options->sharp,
                    "From this angle on an edge is meant to be sharp (default 5)")
         ->option_text("DEG");
-    sub.add_option("--edges,--edge", options->edge_list, "Measure these edges only: 12,15-17")
+    add_list(sub, "--edges,--edge", options->edge_list, "Measure these edges only: 12,15-17")
         ->option_text("E...");
     sub.add_flag("--certify", options->certify,
                  "Prove upper bounds of gap and angle along every edge, besides measuring them");

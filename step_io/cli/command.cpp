@@ -1,6 +1,36 @@
 #include "cli/command.h"
 
+#include <fmt/format.h>
+
 namespace suture::cli {
+namespace {
+
+/// More rows than a screen has are no help; the reports have them all.
+constexpr std::size_t kTerminalRows = 60;
+
+}  // namespace
+
+std::string text_of(const Outcome& outcome) {
+    std::string text;
+    for (const Section& section : outcome.sections) {
+        text += section.heading.empty() ? "" : section.heading + '\n';
+        const std::vector<std::vector<std::string>>& rows = section.table.rows();
+        Table shown(section.table);
+        if (rows.size() > kTerminalRows) {
+            shown.keep_first(kTerminalRows);
+        }
+        text += rows.empty() ? "" : shown.text();
+        if (rows.size() > kTerminalRows) {
+            text += fmt::format("... and {} more: --json and --report R.html have them all\n",
+                                rows.size() - kTerminalRows);
+        }
+        for (const std::string& note : section.notes) {
+            text += "  " + note + '\n';
+        }
+        text += '\n';
+    }
+    return text + outcome.verdict + '\n';
+}
 
 Progress Run::stage(Stage stage, std::string what, double from, double to) {
     const double width = window_[1] - window_[0];

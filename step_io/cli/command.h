@@ -48,6 +48,9 @@ struct Outcome {
     std::map<std::string, std::function<Result<std::string>(Run&)>> reports;
 };
 
+/// The outcome for a terminal: its tables, and the verdict as the last line.
+[[nodiscard]] std::string text_of(const Outcome& outcome);
+
 /// What a command's run needs of the program around it.
 class Run {
   public:

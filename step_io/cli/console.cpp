@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstdio>
+#include <cstring>
 
 namespace suture::cli {
 namespace {
@@ -21,17 +22,19 @@ constexpr int kBarWidth = 28;
 constexpr int kUsualTerminalWidth = 80;
 constexpr std::string_view kEraseLine = "\r\x1b[K";
 
-void write_all(int file, std::string_view text) {
+/// Result  0, or the errno that ended it.
+int write_all(int file, std::string_view text) {
     while (!text.empty()) {
         const ssize_t n = write(file, text.data(), text.size());
         if (n < 0 && errno == EINTR) {
             continue;
         }
         if (n <= 0) {
-            return;  // nobody reads it
+            return n < 0 ? errno : EIO;
         }
         text.remove_prefix(static_cast<std::size_t>(n));
     }
+    return 0;
 }
 
 void print_line(std::string_view prefix, std::string_view message) {
@@ -82,8 +85,13 @@ ResultStream::~ResultStream() {
     close(file_);
 }
 
-void ResultStream::print(std::string_view text) const {
-    write_all(file_, text);
+Result<void> ResultStream::print(std::string_view text) const {
+    const int error = write_all(file_, text);
+    if (error == 0 || error == EBADF || error == EPIPE) {
+        return {};
+    }
+    return fail(ErrorCode::WriteFailed, "the result cannot be written to stdout: {}",
+                std::strerror(error));
 }
 
 ProgressDisplay::ProgressDisplay(ProgressStyle style) : style_(resolve(style)) {}

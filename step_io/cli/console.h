@@ -23,7 +23,9 @@ class ResultStream {
     ResultStream& operator=(const ResultStream&) = delete;
     ~ResultStream();
 
-    void print(std::string_view text) const;
+    /// Refuses (WriteFailed) what could not be written, on a full disk for example. That nobody
+    /// listens, at a closed descriptor or a pipe, is no failure.
+    [[nodiscard]] Result<void> print(std::string_view text) const;
 
   private:
     int file_;

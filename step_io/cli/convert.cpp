@@ -10,6 +10,9 @@
 namespace suture::cli {
 namespace {
 
+/// OCCT's mesher takes nothing finer.
+constexpr double kLeastDeflection = 1e-7;
+
 constexpr CommandHelp kHelp{
     "Convert a model to another format, or to a mesh",
     "Convert a model to the format that the output's ending asks for: .step .stp, .iges .igs, "
@@ -99,6 +102,10 @@ Result<void> validate_mesh(const MeshSettings& mesh) {
         Result<void> positive = expect_positive("--deflection", *mesh.deflection);
         if (!positive) {
             return positive;
+        }
+        if (*mesh.deflection < kLeastDeflection) {
+            return fail(ErrorCode::Usage, "--deflection must be at least {:g} mm, not {:g}",
+                        kLeastDeflection, *mesh.deflection);
         }
     }
     if (mesh.angular_deflection) {

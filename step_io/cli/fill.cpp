@@ -162,12 +162,11 @@ Result<void> validate_fill(Command& command, FillOptions& options) {
 }
 
 void add_choice(CLI::App& app, FillOptions& options) {
-    app.add_option("--hole,--holes", options.holes,
-                   "Only these holes, as `suture inspect` numbers them; 3+4 is one face with an "
-                   "island")
+    add_list(app, "--hole,--holes", options.holes,
+             "Only these holes, as `suture inspect` numbers them; 3+4 is one face with an island")
         ->option_text("ID...");
-    app.add_option("--edges,--edge", options.edges,
-                   "Only the holes that have these edges (FreeCAD's EdgeN)")
+    add_list(app, "--edges,--edge", options.edges,
+             "Only the holes that have these edges (FreeCAD's EdgeN)")
         ->option_text("E...");
     app.add_flag("--all-loops", options.all_loops,
                  "Fill rims of open sheets and doubtful loops too");
@@ -190,11 +189,11 @@ void add_wishes(CLI::App& app, FillOptions& options) {
     app.add_option("--through", options.through,
                    "Points that the new face has to pass: a text file with x, y, z on each line")
         ->option_text("POINTS.csv");
-    app.add_option("--through-edges", options.through_edges,
-                   "Edges of the model that the new face has to follow (FreeCAD's EdgeN)")
+    add_list(app, "--through-edges", options.through_edges,
+             "Edges of the model that the new face has to follow (FreeCAD's EdgeN)")
         ->option_text("E...");
-    app.add_option("--edge-continuity", options.edge_continuity,
-                   "The same for single edges: 12=G2,13=G0")
+    add_list(app, "--edge-continuity", options.edge_continuity,
+             "The same for single edges: 12=G2,13=G0")
         ->option_text("E=G2...");
     app.add_option("--tolerance", options.tolerance, "Largest gap (default 0.001)")
         ->option_text("MM");

@@ -198,7 +198,9 @@ Outcome report_fill(const FillSummary& summary, const FillSettings& settings) {
     const bool good = counts.refused == 0 && counts.out_of_tolerance == 0 && summary.validity.valid;
     outcome.exit_code = good ? kDone : kOutOfTolerance;
     outcome.verdict = verdict_of(counts, summary, settings);
-    outcome.sections.push_back(hole_section(summary, tolerance));
+    if (!summary.holes.empty()) {
+        outcome.sections.push_back(hole_section(summary, tolerance));
+    }
     Section sides = side_section(summary, tolerance);
     if (!sides.table.empty()) {
         outcome.sections.push_back(std::move(sides));

@@ -3,7 +3,7 @@
 #include "cli/report_json.h"
 #include "suture/ribbon/extract.h"
 
-#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <BRepAdaptor_Curve.hxx>
 
@@ -116,6 +116,21 @@ class LoopTables {
     int others_ = 0;
 };
 
+/// Said once, at the first of the loops.
+void note_islands(const BoundaryLoop& loop, std::vector<std::string>& notes) {
+    const std::vector<int>& others = loop.islands_with;
+    if (others.empty() || loop.id > *std::ranges::min_element(others)) {
+        return;
+    }
+    const std::string ids = fmt::format("{}+{}", loop.id, fmt::join(others, "+"));
+    notes.push_back(
+        loop.kind == LoopKind::Hole
+            ? fmt::format("loops {} bound one missing face: `fill` takes them together", ids)
+            : fmt::format("loops {} may bound one missing face: --hole {} takes them "
+                          "together",
+                          ids, ids));
+}
+
 std::string verdict_of(const LoopTables& tables, const LoadedModel& model) {
     std::string verdict = tables.holes() > 0 ? counted(tables.holes(), "hole") : "no hole";
     if (tables.others() > 0) {
@@ -149,6 +164,7 @@ Result<Outcome> inspect(Run& run, const Command& command, const LoadOptions& opt
         for (const BoundaryLoop& loop : part.loops) {
             const std::vector<Corner> corners = corners_in_model(loop, part.placement, notes);
             tables.add(loop, part.part, corners);
+            note_islands(loop, notes);
             holes.push_back(json_of(loop, part.part, corners));
         }
     }

@@ -6,6 +6,7 @@
 #include "cli/report_html.h"
 #include "cli/report_json.h"
 #include "cli/text_file.h"
+#include "cli/usage.h"
 #include "suture/occ/guard.h"
 
 #include <fmt/format.h>
@@ -15,8 +16,12 @@
 #include <Message.hxx>
 #include <Message_Messenger.hxx>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <optional>
+#include <sstream>
+#include <tuple>
 
 namespace suture::cli {
 namespace {
@@ -36,31 +41,6 @@ constexpr const char* kFooter =
     "Exit codes: 0 done, 1 wrong usage, 2 unreadable input, 3 nothing to do, 4 done but out of\n"
     "tolerance or some hole refused, 5 internal error or output not written, 130/143 interrupted.";
 
-/// More rows than a screen has are no help; the reports have them all.
-constexpr std::size_t kTerminalRows = 60;
-
-std::string text_of(const Outcome& outcome) {
-    std::string text;
-    for (const Section& section : outcome.sections) {
-        text += section.heading.empty() ? "" : section.heading + '\n';
-        const std::vector<std::vector<std::string>>& rows = section.table.rows();
-        Table shown(section.table);
-        if (rows.size() > kTerminalRows) {
-            shown.keep_first(kTerminalRows);
-        }
-        text += rows.empty() ? "" : shown.text();
-        if (rows.size() > kTerminalRows) {
-            text += fmt::format("... and {} more: --json and --report R.html have them all\n",
-                                rows.size() - kTerminalRows);
-        }
-        for (const std::string& note : section.notes) {
-            text += "  " + note + '\n';
-        }
-        text += '\n';
-    }
-    return text + outcome.verdict + '\n';
-}
-
 Result<std::string> report_text(const Command& command, Run& run, const Outcome& outcome,
                                 const std::string& extension) {
     const auto own = outcome.reports.find(extension);
@@ -78,7 +58,7 @@ Result<void> write_reports(const Command& command, Run& run, const Outcome& outc
         if (!text) {
             return tl::unexpected(text.error());
         }
-        const Result<void> written = write_text_file(report, *text);
+        Result<void> written = write_text_file(report, *text);
         if (!written) {
             return written;
         }
@@ -141,6 +121,16 @@ Result<Outcome> run_command(Command& command, Run& run) {
     }
 }
 
+/// The exit code of a run that has come to its end: `code` if its result can be told.
+int print_result(const ResultStream& out, std::string_view text, int code) {
+    const Result<void> told = out.print(text);
+    if (!told) {
+        print_error(told.error().message);
+        return exit_code(told.error().code);
+    }
+    return code;
+}
+
 /// The job: in the supervised process.
 int run_job(Command& command, const StageLine& line, std::stop_token cancel) {
     const ResultStream out(command.common.verbose);
@@ -153,10 +143,11 @@ int run_job(Command& command, const StageLine& line, std::stop_token cancel) {
     }
     if (!outcome) {
         return print_failure(command, outcome.error(), exit_code(outcome.error().code),
-                             [&](std::string_view text) { out.print(text); });
+                             [&](std::string_view text) { std::ignore = out.print(text); });
     }
-    out.print(command.common.json ? to_text(whole_document(command, *outcome)) : text_of(*outcome));
-    return outcome->exit_code;
+    return print_result(
+        out, command.common.json ? to_text(whole_document(command, *outcome)) : text_of(*outcome),
+        outcome->exit_code);
 }
 
 /// Whether the output is there although the run did not come to its end.
@@ -200,6 +191,10 @@ Error error_of(const Command& command, const Ending& ending) {
     return {ErrorCode::Cancelled, fmt::format("interrupted while {}{}", ending.what, written)};
 }
 
+void print_to_stdout(std::string_view text) {
+    [[maybe_unused]] const ssize_t written = write(STDOUT_FILENO, text.data(), text.size());
+}
+
 int supervised(Command& command) {
     const std::chrono::milliseconds read_limit(
         static_cast<std::int64_t>(std::ceil(1000.0 * command.common.read_timeout)));
@@ -219,9 +214,41 @@ int supervised(Command& command) {
     constexpr int kSignalBase = 128;  // as shells have it
     const int code = ending.kind == Ending::Kind::Interrupted ? kSignalBase + ending.code
                                                               : exit_code(error.code);
-    return print_failure(command, error, code, [](std::string_view text) {
-        [[maybe_unused]] const ssize_t written = write(STDOUT_FILENO, text.data(), text.size());
-    });
+    return print_failure(command, error, code, print_to_stdout);
+}
+
+/// One line of error, and with --json a document, for words that no command could take.
+int print_usage_error(const std::vector<std::string>& words,
+                      const std::vector<std::string>& commands, const Error& error) {
+    Command meant;
+    meant.name = command_of(words, commands);
+    meant.common.json = std::ranges::find(words, "--json") != words.end();
+    return print_failure(meant, error, kUsage, print_to_stdout);
+}
+
+/// The exit code if the run ends here.
+std::optional<int> parse(CLI::App& app, const std::vector<std::string>& given) {
+    const std::vector<std::string> words = without_help_command(given);
+    std::vector<std::string> commands;
+    for (const CLI::App* command : app.get_subcommands({})) {
+        commands.push_back(command->get_name());
+    }
+    if (const Result<void> full = expect_no_empty_word(words); !full) {
+        return print_usage_error(words, commands, full.error());
+    }
+    try {
+        std::vector<std::string> reversed = join_number_lists(words);
+        std::reverse(reversed.begin(), reversed.end());  // as CLI11 wants them
+        app.parse(std::move(reversed));
+    } catch (const CLI::ParseError& error) {
+        if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success)) {
+            std::ostringstream text;
+            app.exit(error, text);  // --help, --version
+            return print_result(ResultStream(false), text.str(), kDone);
+        }
+        return print_usage_error(words, commands, usage_error(words, commands, error.what()));
+    }
+    return std::nullopt;
 }
 
 int run_program(const std::vector<std::string>& words) {
@@ -233,16 +260,8 @@ int run_program(const std::vector<std::string>& words) {
     const std::vector<std::shared_ptr<Command>> commands{
         add_inspect(app), add_fill(app),    add_check(app), add_convert(app),
         add_patch(app),   add_methods(app), add_demo(app),  add_algebraic(app)};
-    try {
-        std::vector<std::string> reversed = join_number_lists(words);
-        std::reverse(reversed.begin(), reversed.end());  // as CLI11 wants them
-        app.parse(std::move(reversed));
-    } catch (const CLI::ParseError& error) {
-        if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success)) {
-            return app.exit(error);  // --help, --version
-        }
-        print_error(std::string(error.what()) + "; see suture --help");
-        return kUsage;
+    if (const std::optional<int> ended = parse(app, words)) {
+        return *ended;
     }
     for (const auto& command : commands) {
         if (!command->app->parsed()) {
@@ -253,10 +272,7 @@ int run_program(const std::vector<std::string>& words) {
             valid = validate_common(*command);
         }
         if (!valid) {
-            return print_failure(*command, valid.error(), kUsage, [](std::string_view text) {
-                [[maybe_unused]] const ssize_t written =
-                    write(STDOUT_FILENO, text.data(), text.size());
-            });
+            return print_failure(*command, valid.error(), kUsage, print_to_stdout);
         }
         return supervised(*command);
     }

@@ -14,6 +14,11 @@ namespace {
 constexpr std::size_t kHelpWidth = 100;
 constexpr std::size_t kOptionColumn = 34;
 
+const std::map<std::string, ProgressStyle> kStyles{{"auto", ProgressStyle::Auto},
+                                                   {"none", ProgressStyle::None},
+                                                   {"bar", ProgressStyle::Bar},
+                                                   {"json", ProgressStyle::Json}};
+
 /// Breaks a text into lines of at most `width` letters, between words.
 std::string wrapped(const std::string& text, std::size_t width) {
     std::string result;
@@ -53,15 +58,12 @@ std::shared_ptr<Command> add_command(CLI::App& app, const std::string& name,
     command->app->add_flag("--json", common.json,
                            "Print one JSON document on stdout, and nothing else there");
     command->app
-        ->add_option(
-            "--progress", common.progress,
+        ->add_option_function<std::string>(
+            "--progress",
+            [&common](const std::string& style) { common.progress = kStyles.at(style); },
             "How to show progress on stderr: auto (a bar on a terminal), bar, json (a line "
             "of JSON per step) or none")
-        ->transform(CLI::CheckedTransformer(
-            std::map<std::string, ProgressStyle>{{"auto", ProgressStyle::Auto},
-                                                 {"none", ProgressStyle::None},
-                                                 {"bar", ProgressStyle::Bar},
-                                                 {"json", ProgressStyle::Json}}))
+        ->check(CLI::IsMember({"auto", "bar", "json", "none"}))
         ->option_text("STYLE");
     command->app->add_flag("-v,--verbose", common.verbose,
                            "Say on stderr what is being done, OCCT's own messages included");
@@ -158,6 +160,17 @@ Result<void> validate_picture(const Command& command) {
 }
 
 }  // namespace
+
+CLI::Option* add_list(CLI::App& app, const std::string& names, std::string& list,
+                      const std::string& description) {
+    const auto take = [&list](const std::vector<std::string>& words) {
+        list = fmt::format("{}", fmt::join(words, ","));
+    };
+    return app.add_option_function<std::vector<std::string>>(names, take, description)
+        ->expected(1)
+        ->allow_extra_args(false)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+}
 
 void add_sewing(Command& command, LoadOptions& options) {
     command.app

@@ -34,6 +34,10 @@ void add_reports(Command& command);
 /// --picture P.png, --view V, --shading S, --picture-size WxH, --no-edges
 void add_picture(Command& command);
 
+/// An option that takes a list, in one word or given several times: "1,2" of --hole 1 --hole 2.
+CLI::Option* add_list(CLI::App& app, const std::string& names, std::string& list,
+                      const std::string& description);
+
 /// --sew-tolerance MM and --no-sew
 void add_sewing(Command& command, LoadOptions& options);
 [[nodiscard]] Result<void> validate_sewing(const LoadOptions& options);

@@ -32,8 +32,8 @@ constexpr std::array<std::pair<std::string_view, Format>, 13> kExtensions{{
 }};
 
 std::string_view skip_blanks_and_comments(std::string_view text) {
-    if (text.starts_with("\xEF\xBB\xBF")) {
-        text.remove_prefix(3);  // the byte-order mark of UTF-8
+    if (text.starts_with(kByteOrderMark)) {
+        text.remove_prefix(kByteOrderMark.size());
     }
     while (!text.empty()) {
         if (std::isspace(static_cast<unsigned char>(text.front()))) {

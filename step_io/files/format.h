@@ -19,6 +19,9 @@ enum class Format {
     ThreeMf,  ///< meshes, for writing only
 };
 
+/// What some editors put in front of UTF-8.
+inline constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+
 [[nodiscard]] std::string_view to_string(Format format);
 
 /// The type of a file by its content.

@@ -29,6 +29,18 @@ bool is_body(const TDF_Label& component) {
            !XCAFDoc_ShapeTool::IsAssembly(target);
 }
 
+/// Loose faces that the file keeps together, a geometric set: they are sewn by themselves first.
+bool is_group_of_faces(const TopoDS_Shape& shape) {
+    if (shape.ShapeType() != TopAbs_COMPOUND || shape.NbChildren() < 2) {
+        return false;
+    }
+    bool faces = true;
+    for (TopoDS_Iterator child(shape); child.More(); child.Next()) {
+        faces = faces && child.Value().ShapeType() == TopAbs_FACE;
+    }
+    return faces;
+}
+
 /// The bodies of one product with everything that stands at their labels.
 struct Bodies {
     std::vector<TopoDS_Shape> shapes;
@@ -38,7 +50,12 @@ struct Bodies {
         const TDF_Label target = referred(component);
         const TopoDS_Shape shape = XCAFDoc_ShapeTool::GetShape(target);
         const Look look = document_looks.of(component, document_looks.of(target, {}));
-        if (shape.ShapeType() == TopAbs_COMPOUND) {
+        if (is_group_of_faces(shape)) {
+            shapes.push_back(shape);
+            for (TopoDS_Iterator face(shape); face.More(); face.Next()) {
+                looks.emplace_back(face.Value(), look);
+            }
+        } else if (shape.ShapeType() == TopAbs_COMPOUND) {
             for (TopoDS_Iterator body(shape); body.More(); body.Next()) {
                 add(body.Value(), look);
             }

@@ -6,6 +6,7 @@
 #include "files/join_bodies.h"
 #include "files/read_iges.h"
 #include "files/read_step.h"
+#include "files/rigid.h"
 #include "files/static_scope.h"
 #include "suture/occ/guard.h"
 
@@ -21,7 +22,7 @@ Result<void> read_brep(ModelFile& model, const std::string& bytes) {
         return tl::unexpected(shape.error());
     }
     const StaticScope names_nothing;
-    shapes_of(model.document)->AddShape(*shape, false);
+    shapes_of(model.document)->AddShape(with_rigid_placements(*shape), false);
     return {};
 }
 

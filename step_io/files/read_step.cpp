@@ -1,5 +1,6 @@
 #include "files/read_step.h"
 
+#include "files/format.h"
 #include "files/progress_indicator.h"
 #include "files/static_scope.h"
 #include "files/step_text.h"
@@ -14,6 +15,8 @@
 #include <StepRepr_GlobalUncertaintyAssignedContext.hxx>
 #include <StepRepr_GlobalUnitAssignedContext.hxx>
 #include <TCollection_HAsciiString.hxx>
+
+#include <sstream>
 
 namespace suture::io {
 
@@ -74,6 +77,16 @@ void read_context(const Interface_InterfaceModel& entities, ModelFile& model) {
     }
 }
 
+/// OCCT's scanner takes a byte-order mark for a word of the file's.
+IFSelect_ReturnStatus read_entities(STEPCAFControl_Reader& reader,
+                                    const std::filesystem::path& path, std::string_view text) {
+    if (!text.starts_with(kByteOrderMark)) {
+        return reader.ReadFile(path.c_str());
+    }
+    std::istringstream stream{std::string(text.substr(kByteOrderMark.size()))};
+    return reader.ChangeReader().ReadStream(path.c_str(), stream);
+}
+
 }  // namespace
 
 Result<void> read_step(ModelFile& model, std::string_view text, const Progress& progress) {
@@ -88,7 +101,7 @@ Result<void> read_step(ModelFile& model, std::string_view text, const Progress& 
     reader.SetGDTMode(false);    // what the writer would not write again
     reader.SetPropsMode(false);  // volumes and centroids, wrong after a fill
     reader.SetViewMode(false);
-    if (reader.ReadFile(model.path.c_str()) != IFSelect_RetDone) {
+    if (read_entities(reader, model.path, text) != IFSelect_RetDone) {
         return fail(ErrorCode::Unreadable, "{} is damaged: OCCT cannot read it{}{}",
                     model.path.string(), scope.complaint().empty() ? "" : ": ", scope.complaint());
     }

@@ -114,12 +114,12 @@ Result<ContinuityReport> measure_continuity(const TopoDS_Shape& shape, const Pro
             return fail(ErrorCode::Cancelled, "check stopped after {} of {} edges", begin,
                         jobs.size());
         }
-        progress(static_cast<double>(begin) / static_cast<double>(jobs.size()), "check");
+        progress(static_cast<double>(begin) / static_cast<double>(jobs.size()), "checking");
         tbb::parallel_for(begin, std::min(begin + kBatch, jobs.size()), [&](std::size_t i) {
             report.edges[i] = run_job(jobs[i], numbering, profile);
         });
     }
-    progress(1.0, "check");
+    progress(1.0, "checking");
     return report;
 }
 

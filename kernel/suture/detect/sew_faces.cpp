@@ -77,6 +77,7 @@ NewShell make_shell(const ShellGraph& graph, int component) {
         if (volume.Mass() < 0.0) {
             result.shell.Reverse();
         }
+        result.bounds_solid = true;
     }
     return result;
 }

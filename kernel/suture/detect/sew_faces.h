@@ -20,7 +20,8 @@ struct SewnFaces {
 /// Connected faces as one shell: turned to agree with each other, outwards where it is closed.
 struct NewShell {
     TopoDS_Shell shell;
-    std::vector<int> members;  ///< indices of its faces
+    bool bounds_solid = false;  ///< it is closed and has an inside
+    std::vector<int> members;   ///< indices of its faces
 };
 
 /// Result  the connected shells of more than one face, or of one face that closes on itself.

@@ -16,6 +16,7 @@
 #include <TopoDS.hxx>
 #include <TopoDS_Compound.hxx>
 #include <TopoDS_Iterator.hxx>
+#include <TopoDS_Solid.hxx>
 
 #include <algorithm>
 #include <cmath>
@@ -126,6 +127,18 @@ TopoDS_Shape without(const TopoDS_Shape& shape, const TopTools_MapOfShape& faces
     return empty ? TopoDS_Shape() : copy;
 }
 
+/// A closed shell as a solid, any other as it is.
+TopoDS_Shape body_of(const NewShell& shell) {
+    if (!shell.bounds_solid) {
+        return shell.shell;
+    }
+    BRep_Builder builder;
+    TopoDS_Solid solid;
+    builder.MakeSolid(solid);
+    builder.Add(solid, shell.shell);
+    return solid;
+}
+
 /// The shape with the new shells in place of their loose faces.
 void assemble(const TopoDS_Shape& shape, const std::vector<LooseFace>& before,
               const std::vector<NewShell>& shells, SewnShape& result) {
@@ -145,7 +158,7 @@ void assemble(const TopoDS_Shape& shape, const std::vector<LooseFace>& before,
     }
     const TopoDS_Shape rest = without(shape, gone);
     if (rest.IsNull() && shells.size() == 1) {
-        result.shape = shells.front().shell;
+        result.shape = body_of(shells.front());
         return;
     }
     if (!rest.IsNull() && rest.ShapeType() == TopAbs_COMPOUND) {
@@ -156,7 +169,7 @@ void assemble(const TopoDS_Shape& shape, const std::vector<LooseFace>& before,
         builder.Add(compound, rest);
     }
     for (const NewShell& shell : shells) {
-        builder.Add(compound, shell.shell);
+        builder.Add(compound, body_of(shell));
     }
     result.shape = compound;
 }

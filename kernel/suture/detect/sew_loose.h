@@ -19,7 +19,8 @@ struct SewnShape {
     TopTools_DataMapOfShapeShape replaced;  ///< input face -> face of `shape`, where they differ
 };
 
-/// Sews faces that do not share edges (IGES, surface files) into shells.
+/// Sews faces that do not share edges (IGES, surface files) into shells, and into solids where they
+/// close.
 ///
 /// Input    tolerance: 0 to take it from the model: the smallest that closes the model's gaps but
 ///          stays well below its real features (docs/holes.md); > 0 to use just that.

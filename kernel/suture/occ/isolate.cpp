@@ -118,7 +118,7 @@ Result<std::string> run_isolated(std::string_view what,
             std::chrono::duration_cast<std::chrono::milliseconds>(deadline - Clock::now());
         if (left.count() <= 0) {
             stop();
-            return fail(ErrorCode::Internal, "{} gave no answer within {:.0f} s", what,
+            return fail(ErrorCode::Internal, "{} gave no answer within {:g} s", what,
                         static_cast<double>(limit.count()) / 1000.0);
         }
         if (progress.cancelled()) {

@@ -9,6 +9,7 @@
 #include "kernel/detect/shapes.h"
 
 #include <BRepAlgoAPI_Cut.hxx>
+#include <BRepCheck_Analyzer.hxx>
 #include <BRepGProp.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
@@ -66,6 +67,23 @@ TEST(SewLoose, ClosesTheLooseFacesOfASolidOutwards) {
         EXPECT_EQ(sewn.free_edges_before, 24);
         EXPECT_EQ(sewn.replaced.Extent(), 6);
     }
+}
+
+TEST(SewLoose, MakesASolidOfAShellThatCloses) {
+    const TopoDS_Shape box = BRepPrimAPI_MakeBox(10.0, 20.0, 30.0).Shape();
+    const SewnShape one = sew(test::loosened(box));
+    ASSERT_EQ(one.shape.ShapeType(), TopAbs_SOLID);
+    EXPECT_TRUE(BRepCheck_Analyzer(one.shape).IsValid());
+
+    gp_Trsf aside;
+    aside.SetTranslation(gp_Vec(50.0, 0.0, 0.0));
+    const TopoDS_Shape open = test::without_faces(box.Moved(TopLoc_Location(aside)), {1});
+    const SewnShape two = sew(test::compound_of({test::loosened(box), test::loosened(open)}));
+    TopTools_IndexedMapOfShape solids;
+    TopExp::MapShapes(two.shape, TopAbs_SOLID, solids);
+    ASSERT_EQ(solids.Extent(), 1);
+    EXPECT_NEAR(volume(solids(1)), 6000.0, 1e-6);
+    EXPECT_EQ(census(two.shape), (Census{{"hole", 4}}));
 }
 
 TEST(SewLoose, TurnsFacesToAgreeAndTheShellOutwards) {

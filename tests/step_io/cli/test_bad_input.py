@@ -10,6 +10,7 @@ from program import (
     INTERNAL,
     UNREADABLE,
     OUT_OF_TOLERANCE,
+    PROGRAM,
     USAGE,
     Case,
     example,
@@ -207,6 +208,32 @@ class BadOutput(Case):
             self.assertEqual(output.read_bytes(), OLD)
             self.assertEqual(os.listdir(disk), [name])
             output.unlink()
+
+    def test_output_that_is_no_ordinary_file(self):
+        fifo = self.folder / "fifo.step"
+        os.mkfifo(fifo)
+        self.expect_refused(run("fill", example("dome_window"), "-o", fifo), USAGE, "fifo.step", "ordinary")
+
+    @unittest.skipIf(os.geteuid() == 0, "root writes everywhere")
+    def test_output_that_is_write_protected(self):
+        self.output.chmod(0o444)
+        self.expect_refused(self.fill(example("dome_window")), USAGE, "out.step", "Permission denied")
+        self.assertEqual(self.output.read_bytes(), OLD)
+
+    def test_full_disk_behind_stdout(self):
+        for words in (["inspect", example("dome_window")], ["methods", "--json"], ["--help"]):
+            with open("/dev/full", "wb", buffering=0) as full:
+                done = subprocess.run([PROGRAM, *words], stdout=full, stderr=subprocess.PIPE, check=False)
+            self.assertEqual(done.returncode, INTERNAL, words)
+            self.assertEqual(done.stderr.decode().splitlines(),
+                             ["error: the result cannot be written to stdout: No space left on device"], words)
+
+    def test_nobody_at_stdout_is_no_failure(self):
+        for redirection in (">&-", "| true"):
+            script = f'{{ "$0" inspect "$1"; echo $? >&2; }} {redirection}'
+            done = subprocess.run(["sh", "-c", script, PROGRAM, example("dome_window")],
+                                  stderr=subprocess.PIPE, check=False)
+            self.assertEqual(done.stderr.decode(), f"{DONE}\n", redirection)
 
     def test_full_disk_for_the_report(self):
         disk = self.folder / "disk"

@@ -6,6 +6,7 @@ import os
 import pty
 import re
 import subprocess
+import sys
 
 from program import (
     CAD,
@@ -36,6 +37,37 @@ class Inspect(Case):
             holes = [h for h in document["holes"] if h["kind"] == "hole"]
             self.assertEqual([h["sides"] for h in holes], sides, name)
             self.assertEqual(document["hole_count"], len(sides))
+
+    def test_loops_around_one_missing_face_are_named_together(self):
+        # The lid of a box with a hole bored through it: its outline, and the bore's end.
+        sys.path.append("/usr/lib/freecad-python3/lib")
+        import FreeCAD
+        import Part
+
+        bore = Part.makeCylinder(3, 40, FreeCAD.Vector(5, 10, -5))
+        faces = Part.makeBox(10, 20, 30).cut(bore).Faces
+        box = self.folder / "box.brep"
+        Part.Shell([face for face in faces if face.CenterOfMass.z < 29]).exportBrep(str(box))
+        self.assertIn("bound one missing face", self.expect(run("inspect", box), DONE).out)
+        holes = self.expect(run("inspect", box, "--json"), DONE).json
+        self.assertEqual([h["islands_with"] for h in holes["holes"]], [[2], [1]])
+        self.assertEqual(len(holes["notes"]), 1)
+
+    def test_byte_order_mark_in_front_of_a_step_file_is_no_damage(self):
+        marked = self.folder / "marked.step"
+        marked.write_bytes(b"\xef\xbb\xbf" + example("pipe_elbow").read_bytes())
+        self.assertEqual(self.expect(run("inspect", marked, "--json"), DONE).json["hole_count"], 2)
+        self.expect(run("fill", marked, "-o", self.folder / "filled.step"), DONE)
+
+    def test_groups_of_loose_faces_are_sewn_each_by_itself(self):
+        # Wings and fin are closed; the sheets in their middle, one or two faces each, have rims.
+        aircraft = CAD / "files" / "777-200LR.stp"
+        if not aircraft.exists():
+            self.skipTest(f"needs {aircraft}")
+        document = self.expect(run("inspect", aircraft, "--json"), NOTHING).json
+        self.assertEqual(
+            sorted((h["kind"], h["sides"]) for h in document["holes"]), [("rim", 4), ("rim", 6), ("rim", 6)]
+        )
 
     def test_document_has_every_promised_key(self):
         document = run("inspect", example("suitcase_corner"), "--json").json
@@ -300,6 +332,19 @@ class Convert(Case):
             self.expect(run("convert", target, back, "--sew"), DONE)
             holes = self.expect(run("inspect", back, "--json"), DONE).json["holes"]
             self.assertEqual([h["sides"] for h in holes if h["kind"] == "hole"], [3], ending)
+
+    def test_loose_faces_that_close_become_a_solid(self):
+        loose = CAD / "files" / "ANC101-ill.stp"
+        if not loose.exists():
+            self.skipTest(f"needs {loose}")
+        for words in (["convert", loose, "", "--sew"], ["fill", loose, "-o", ""]):
+            for ending in ("step", "brep"):
+                target = self.folder / f"{words[0]}.{ending}"
+                self.expect(run(*(word or target for word in words)), DONE)
+                shape = run("check", target, "--json").json["shape"]
+                self.assertEqual((shape["solids"], shape["free_edges"]), (1, 0), target.name)
+                self.assertTrue(shape["valid"], target.name)
+                self.assertGreater(shape["volume"], 0, target.name)
 
     def test_finer_deflection_gives_more_triangles(self):
         sizes = []

@@ -46,6 +46,31 @@ class Usage(Case):
     def test_no_command_is_wrong_usage(self):
         self.expect_refused(run(), USAGE, "--help")
 
+    def test_unknown_command_is_named(self):
+        self.expect_refused(run("fil", "x.step"), USAGE, "no command 'fil'", "did you mean 'fill'", *COMMANDS)
+        self.expect_refused(run("zzzzzzzzz"), USAGE, "no command 'zzzzzzzzz'")
+
+    def test_options_come_after_the_command(self):
+        words = ("--verbose", "inspect", example("box_without_lid"))
+        self.expect_refused(run(*words), USAGE, "suture inspect --verbose")
+        self.expect_refused(run("-V"), USAGE, "-V", "--help")
+
+    def test_help_is_a_command_too(self):
+        self.assertEqual(run("help").out, run("--help").out)
+        self.assertEqual(self.expect(run("help", "fill"), DONE).out, run("fill", "--help").out)
+
+    def test_an_error_names_the_help_of_its_command(self):
+        self.expect_refused(run("convert", "a.step"), USAGE, "OUT is required", "suture convert --help")
+
+    def test_empty_words_are_wrong_usage(self):
+        """They come from scripts; --hole "" must not fill every hole."""
+        fill = ["fill", example("pipe_elbow"), "-o", self.folder / "out.step"]
+        for option in ("--hole", "--edges", "--tolerance", "--method", "--edge-continuity"):
+            self.expect_refused(run(*fill, option, ""), USAGE, option, "empty")
+            self.expect_refused(run(*fill, f"{option}="), USAGE, option, "no value")
+        self.expect_refused(run("inspect", ""), USAGE, "inspect", "empty")
+        self.expect_files()
+
     def test_unknown_flag_is_wrong_usage(self):
         self.expect_refused(run("inspect", example("box_without_lid"), "--holes-please"), USAGE)
 
@@ -116,6 +141,16 @@ class WrongValues(Case):
     def test_hole_that_does_not_exist(self):
         self.refuse(["--hole", "99"], "no hole 99", "suture inspect")
 
+    def test_loop_named_twice_in_one_hole(self):
+        self.refuse(["--hole", "1+1"], "1+1", "twice")
+
+    def test_progress_of_unknown_style(self):
+        self.refuse(["--progress", "loud"], "--progress", "auto,bar,json,none")
+        self.refuse(["--progress", "1"], "--progress")
+
+    def test_deflection_that_no_mesher_takes(self):
+        self.refuse(["--deflection=1e-9"], "--deflection", "at least 1e-07 mm")
+
     def test_hole_that_is_no_number(self):
         for word in ("0", "1-2", "3++4"):
             self.refuse([f"--hole={word}"], "hole")
@@ -151,7 +186,28 @@ class WrongValues(Case):
         self.assertEqual(finished.json["exit_code"], USAGE)
 
 
+    def test_what_the_parser_refuses_is_a_document_too(self):
+        for words in (["inspect"], ["fill", "x.step", "--holes-please"], ["fil"], []):
+            finished = self.expect(run(*words, "--json"), USAGE)
+            self.assertEqual(finished.json["error"]["code"], "usage", words)
+            self.assertEqual(finished.json["error"]["message"], finished.err[len("error: "):-1])
+
+
 class Lists(Case):
+    def test_an_option_may_be_given_once_for_each_hole(self):
+        fill = ["fill", example("pipe_elbow"), "-o", self.folder / "out.step", "--json"]
+        holes = run("inspect", example("pipe_elbow"), "--json").json["holes"]
+        edges = [hole["edges"][0] for hole in holes]
+        for words in (["--hole", "1", "--hole", "2"], ["--hole=2", "--holes", "1"],
+                      ["--edges", edges[0], "--edge", edges[1]],
+                      ["--edges", f"Edge{edges[0]}", f"Edge{edges[1]}"],
+                      ["--edges", f"Edge{edges[0]},{edges[1]}"],
+                      ["--edge-continuity", f"Edge{edges[0]}=G0", "--edge-continuity", f"{edges[1]}=G0"]):
+            finished = self.expect(run(*fill, *words), DONE)
+            self.assertEqual([h["status"] for h in finished.json["holes"]], ["filled"] * 2, words)
+        one = self.expect(run(*fill, "--hole", "1"), DONE).json["holes"]
+        self.assertEqual(sorted(h["status"] for h in one), ["filled", "skipped"])
+
     def test_hole_list_may_stand_before_the_file(self):
         output = self.folder / "out.step"
         finished = run("fill", "--hole", "1", "2", example("pipe_elbow"), "-o", output, "--json")

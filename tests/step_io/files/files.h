@@ -8,6 +8,7 @@
 
 #include <Quantity_Color.hxx>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -18,10 +19,11 @@ namespace suture::io::test {
 /// A folder of its own for each test, gone afterwards.
 class Folder {
   public:
-    Folder()
-        : path_(std::filesystem::temp_directory_path() /
-                fmt::format("suture-files-{}-{}", ::getpid(),
-                            ::testing::UnitTest::GetInstance()->current_test_info()->name())) {
+    Folder() {
+        std::string test = ::testing::UnitTest::GetInstance()->current_test_info()->name();
+        std::ranges::replace(test, '/', '-');  // of a test with parameters
+        path_ = std::filesystem::temp_directory_path() /
+                fmt::format("suture-files-{}-{}", ::getpid(), test);
         std::filesystem::remove_all(path_);
         std::filesystem::create_directories(path_);
     }

@@ -6,6 +6,8 @@
 
 #include <BRepCheck_Analyzer.hxx>
 #include <BRepGProp.hxx>
+#include <BRepTools.hxx>
+#include <BRep_Builder.hxx>
 #include <GProp_GProps.hxx>
 
 namespace suture::io::test {
@@ -82,6 +84,37 @@ TEST(RoundTrip, KeepsBrepInOrderInAllThreeKinds) {
         ASSERT_EQ(before.Extent(), after.Extent());
         for (int i = 1; i <= before.Extent(); ++i) {
             EXPECT_EQ(place(before(i)), place(after(i))) << to_string(format) << " " << i;
+        }
+    }
+}
+
+TEST(RoundTrip, WorksMirroringAndScalingPlacementsOfBrepIn) {
+    const Folder folder;
+    const TopoDS_Shape pin = BRepPrimAPI_MakeCylinder(2, 15).Shape();
+    gp_Trsf mirror;
+    mirror.SetMirror(gp_Ax2(gp_Pnt(10, 0, 0), gp_Dir(1, 0, 0)));
+    gp_Trsf twice;
+    twice.SetScale(gp_Pnt(0, -10, 0), 2.0);
+    for (const auto& [placement, scale] : {std::pair(mirror, 1.0), std::pair(twice, 8.0)}) {
+        const TopoDS_Shape placed = pin.Located(TopLoc_Location(placement), false);
+        TopoDS_Compound both;
+        BRep_Builder().MakeCompound(both);
+        BRep_Builder().Add(both, pin);
+        BRep_Builder().Add(both, placed);
+        for (const TopoDS_Shape& shape : {placed, TopoDS_Shape(both)}) {
+            BRepTools::Write(shape, (folder / "pin.brep").c_str());
+            const ModelFile model = read(folder / "pin.brep");
+            double expected = 0.0;
+            double found = 0.0;
+            for (TopExp_Explorer it(model.shape(), TopAbs_SOLID); it.More(); it.Next()) {
+                expected += 60.0 * M_PI * (expected == 0.0 && shape.IsSame(both) ? 1.0 : scale);
+                EXPECT_GT(volume(it.Current()), 0.0);
+                found += volume(it.Current());
+            }
+            EXPECT_NEAR(found, expected, 1e-9 * expected);
+            EXPECT_TRUE(BRepCheck_Analyzer(model.shape()).IsValid());
+            write(model, folder / "pin.step", Format::Step);
+            EXPECT_NEAR(volume(read(folder / "pin.step").shape()), expected, 1e-9 * expected);
         }
     }
 }
