@@ -78,7 +78,7 @@ Result<void> write_reports(const Command& command, Run& run, const Outcome& outc
         if (!text) {
             return tl::unexpected(text.error());
         }
-        const Result<void> written = write_text_file(report, *text);
+        Result<void> written = write_text_file(report, *text);
         if (!written) {
             return written;
         }
