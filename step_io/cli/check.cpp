@@ -73,7 +73,7 @@ Result<void> validate(CheckOptions& options) {
         }
         options.edges = std::move(*edges);
     }
-    if (const auto slack = expect_positive("--slack", options.slack); !slack) {
+    if (auto slack = expect_positive("--slack", options.slack); !slack) {
         return slack;
     }
     const Result<void> profile = choose_profile(options);

@@ -18,6 +18,10 @@ from PySide import QtCore, QtGui
 
 OUT = Path(os.environ["SUTURE_OUT"])
 ROOT = Path(os.environ["SUTURE_SOURCE_DIR"])
+sys.path.append(str(ROOT / "tests/support"))
+
+from time_limits import limit  # noqa: E402
+
 WINDOW = (1240, 860)
 TICK_MS = 20
 
@@ -33,7 +37,7 @@ class Driver:
     # -- waiting
 
     def until(self, what, condition, seconds=90):
-        return what, condition, time.monotonic() + seconds
+        return what, condition, time.monotonic() + limit(seconds)
 
     def pause(self, seconds):
         end = time.monotonic() + seconds

@@ -14,6 +14,7 @@ import Part  # noqa: E402
 from suture_workbench import combs, exchange, meshes  # noqa: E402
 from suture_workbench.errors import failure, in_freecads_words  # noqa: E402
 from suture_workbench.options import FillOptions  # noqa: E402
+from time_limits import limit  # noqa: E402
 
 
 class Words(Case):
@@ -106,7 +107,7 @@ class Addon(Case):
                 stdin=subprocess.DEVNULL,
                 capture_output=True,
                 text=True,
-                timeout=120,
+                timeout=limit(120),
                 check=False,
             )
             self.assertEqual(done.returncode, 0, done.stderr)

@@ -13,15 +13,17 @@ import tempfile
 import unittest
 from pathlib import Path
 
+from time_limits import limit
+
 HERE = Path(__file__).resolve().parent
 ROOT = Path(os.environ["SUTURE_SOURCE_DIR"])
 BUILD = Path(os.environ["SUTURE_BINARY_DIR"])
 PROGRAM = os.environ["SUTURE_PROGRAM"]
 BAD = str(HERE / "bad_suture.py")
 SCREEN = "-screen 0 1280x900x24 -dpi 96 +extension GLX"
-SECONDS = 240
+SECONDS = limit(240)
 TICKS = 10  # a second at least, while something runs
-STOPPED = 2.0  # seconds in which a run has to end with all its processes
+STOPPED = limit(2.0)  # seconds in which a run has to end with all its processes
 
 # What makes FreeCAD start without its start page (a browser), splash screen and network.
 USER_CFG = """<?xml version="1.0" encoding="UTF-8"?>

@@ -11,6 +11,7 @@ import unittest
 from pathlib import Path
 
 from browser import Browser, chromium
+from time_limits import limit
 
 PROGRAM = os.environ["SUTURE_PROGRAM"]
 SOURCE = Path(os.environ["SUTURE_SOURCE_DIR"])
@@ -19,7 +20,7 @@ PICTURES = os.environ.get("SUTURE_PICTURES")
 
 
 def suture(*words, codes=(0, 4), cwd=FILES):
-    done = subprocess.run([PROGRAM, *map(str, words)], capture_output=True, timeout=400, check=False,
+    done = subprocess.run([PROGRAM, *map(str, words)], capture_output=True, timeout=limit(400), check=False,
                           cwd=cwd)
     if done.returncode not in codes:
         raise AssertionError(f"exit code {done.returncode}: {done.stderr.decode()}")

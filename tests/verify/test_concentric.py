@@ -8,6 +8,8 @@ import tempfile
 import unittest
 from pathlib import Path
 
+from time_limits import limit
+
 sys.path.insert(0, "/usr/lib/freecad-python3/lib")
 
 try:
@@ -31,7 +33,7 @@ class Concentric(unittest.TestCase):
             out = Path(folder) / "capped.step"
             command = [SUTURE, "fill", model, "-o", out, "--method", "concentric", "--continuity", "G0", "--json"]
             done = subprocess.run(
-                [*map(str, command), *more], capture_output=True, text=True, timeout=120, check=False
+                [*map(str, command), *more], capture_output=True, text=True, timeout=limit(120), check=False
             )
             self.assertEqual(done.returncode, 0, done.stderr)
             report = json.loads(done.stdout)

@@ -16,8 +16,9 @@ sys.path.insert(0, str(HERE.parent / "bench"))
 
 from cases import CAD, reopened_cases, with_holes  # noqa: E402
 from program import BARE, BUILD, SUTURE, run  # noqa: E402
+from time_limits import limit  # noqa: E402
 
-FILL_LIMIT = 300  # seconds
+FILL_LIMIT = limit(300)  # seconds
 DONE, OUT_OF_TOLERANCE = 0, 4  # exit codes after which there is an output
 # How well two measurements must agree.
 RELATIVE, ABSOLUTE_MM, ABSOLUTE_RAD = 0.01, 1e-6, 1e-6

@@ -9,6 +9,8 @@ import tempfile
 import unittest
 from pathlib import Path
 
+from time_limits import limit
+
 sys.path.insert(0, "/usr/lib/freecad-python3/lib")
 
 try:
@@ -25,7 +27,7 @@ CENTRE, RADIUS = (52.0, 42.0, 32.0), 8.0
 
 def run(*words):
     return subprocess.run(
-        [SUTURE, *map(str, words)], capture_output=True, text=True, timeout=120, check=False
+        [SUTURE, *map(str, words)], capture_output=True, text=True, timeout=limit(120), check=False
     )
 
 

@@ -10,6 +10,8 @@ import tempfile
 import unittest
 from pathlib import Path
 
+from time_limits import limit
+
 PROGRAM = os.environ["SUTURE_PROGRAM"]
 EXAMPLES = Path(os.environ["SUTURE_SOURCE_DIR"]) / "docs" / "examples"
 CAD = Path(os.environ["SUTURE_CAD_DIR"])
@@ -32,8 +34,9 @@ class Finished:
 
 
 def run(*words, timeout=120, **options):
+    """timeout: seconds, for a release build"""
     process = subprocess.run(
-        [PROGRAM, *map(str, words)], capture_output=True, timeout=timeout, check=False, **options
+        [PROGRAM, *map(str, words)], capture_output=True, timeout=limit(timeout), check=False, **options
     )
     return Finished(process.returncode, process.stdout.decode(), process.stderr.decode())
 

@@ -4,6 +4,7 @@ import json
 import time
 
 from program import DONE, OUT_OF_TOLERANCE, USAGE, Case, example, run
+from time_limits import limit
 
 
 class Demo(Case):
@@ -13,7 +14,7 @@ class Demo(Case):
         finished = run("demo", "--out", out, timeout=300)
         seconds = time.monotonic() - start
         self.assertIn(finished.code, (DONE, OUT_OF_TOLERANCE), str(finished))
-        self.assertLess(seconds, 300)
+        self.assertLess(seconds, limit(300))
         report = json.loads((out / "report.json").read_text())
         fills = report["fills"]
         for name in ("suitcase_corner", "box_without_lid", "pipe_elbow", "dome_window", "bump_window"):

@@ -20,6 +20,7 @@ from program import (
     run,
     write_many_holes,
 )
+from time_limits import limit
 
 HOLES = {
     "box_without_lid": [4],
@@ -190,7 +191,7 @@ class Fill(Case):
         self.assertEqual(run("inspect", self.output, "--json").json["hole_count"], 1)
 
     def test_fill_out_of_tolerance_is_written_and_told(self):
-        document = self.fill("bump_window", "--method", "occt", "--angle", "1e-9", "--timeout", "60",
+        document = self.fill("bump_window", "--method", "occt", "--angle", "1e-9", "--timeout", limit(60),
                              code=OUT_OF_TOLERANCE)
         self.assertEqual(document["holes"][0]["status"], "filled")
         self.assertFalse(document["holes"][0]["within_tolerance"])
@@ -382,7 +383,7 @@ class Progress(Case):
         self.addCleanup(os.close, master)
         process = subprocess.run(
             [PROGRAM, "inspect", str(example("bump_window"))],
-            stdout=subprocess.PIPE, stderr=slave, timeout=60, check=False,
+            stdout=subprocess.PIPE, stderr=slave, timeout=limit(60), check=False,
         )
         os.close(slave)
         seen = b""

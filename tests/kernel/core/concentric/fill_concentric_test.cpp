@@ -35,6 +35,15 @@ Vector3d point_at(const Surface& surface, const Vector2d& uv) {
     return evaluate(surface, uv.x(), uv.y()).point;
 }
 
+void measure_side(const Ribbon& ribbon, const Patch& patch, const EdgeUse& use, Fit& fit) {
+    for (int k = 1; k < 40; ++k) {
+        const RibbonPoint p = ribbon.at(k / 40.0);
+        const Vector2d uv = use.at(k / 40.0);
+        fit.gap = std::max(fit.gap, (point_at(patch.surface, uv) - p.point).norm());
+        fit.angle = std::max(fit.angle, angle_between(normal_at(patch.surface, uv), p.normal));
+    }
+}
+
 Fit fit_of(const Hole& hole, const FillResult& fill) {
     Fit fit;
     std::map<int, std::vector<std::pair<const Patch*, const EdgeUse*>>> inner;
@@ -44,14 +53,8 @@ Fit fit_of(const Hole& hole, const FillResult& fill) {
                 inner[use.index].emplace_back(&patch, &use);
                 continue;
             }
-            const Ribbon& ribbon = hole.loops[0].ribbons[static_cast<std::size_t>(use.index)];
-            for (int k = 1; k < 40; ++k) {
-                const RibbonPoint p = ribbon.at(k / 40.0);
-                const Vector2d uv = use.at(k / 40.0);
-                fit.gap = std::max(fit.gap, (point_at(patch.surface, uv) - p.point).norm());
-                fit.angle =
-                    std::max(fit.angle, angle_between(normal_at(patch.surface, uv), p.normal));
-            }
+            measure_side(hole.loops[0].ribbons[static_cast<std::size_t>(use.index)], patch, use,
+                         fit);
         }
     }
     EXPECT_EQ(inner.size(), fill.inner_edges.size());

@@ -245,41 +245,51 @@ double jump(const StarSurface& surface, int m, const Vector2d& on_side, const Ve
     return largest;
 }
 
+/// The largest jumps across curves: of derivatives up to the order k, and of those beyond it.
+struct Jumps {
+    double within = 0.0;
+    double beyond = 0.0;
+};
+
+void measure_jumps(const StarSurface& surface, int m, const Vector2d& at, const Vector2d& step,
+                   int k, Jumps& jumps) {
+    for (int order = 0; order <= k; ++order) {
+        jumps.within = std::max(jumps.within, jump(surface, m, at, step, order));
+    }
+    jumps.beyond = std::max(jumps.beyond, jump(surface, m, at, step, k + 1));
+}
+
+Jumps jumps_across_inner_curves(const StarSurface& surface, const Star& star, int n, int k) {
+    Jumps jumps;
+    for (int m = 0; m < n; ++m) {
+        for (const double x : star.knots_x(m)) {
+            if (x < -0.2 || x > star.border(m) - 0.5) {
+                continue;
+            }
+            for (const double t : {-1.6, -0.7, 0.13, 0.6, 1.9}) {
+                measure_jumps(surface, m, {x, t * star.f_y()}, {1e-6, 0.0}, k, jumps);
+            }
+        }
+        for (const double y : star.knots_y(m)) {
+            if (std::abs(y) > star.f_y() + 1.5) {
+                continue;
+            }
+            for (const double x : {-0.15, 0.4, 1.3}) {
+                measure_jumps(surface, m, {x, y}, {0.0, 1e-6}, k, jumps);
+            }
+        }
+    }
+    return jumps;
+}
+
 TEST(ManifoldSurface, IsCkAcrossAllInnerCurvesAndNoMore) {
     for (const int n : {3, 5, 6, 7}) {
         for (int k = 0; k <= 3; ++k) {
             const Star star = make_star(uneven(k, n));
             const StarSurface surface(star, rough_points(star));
-            double within = 0.0;
-            double beyond = 0.0;
-            for (int m = 0; m < n; ++m) {
-                for (const double x : star.knots_x(m)) {
-                    if (x < -0.2 || x > star.border(m) - 0.5) {
-                        continue;
-                    }
-                    for (const double t : {-1.6, -0.7, 0.13, 0.6, 1.9}) {
-                        for (int order = 0; order <= k; ++order) {
-                            within = std::max(
-                                within, jump(surface, m, {x, t * star.f_y()}, {1e-6, 0.0}, order));
-                        }
-                        beyond = std::max(
-                            beyond, jump(surface, m, {x, t * star.f_y()}, {1e-6, 0.0}, k + 1));
-                    }
-                }
-                for (const double y : star.knots_y(m)) {
-                    if (std::abs(y) > star.f_y() + 1.5) {
-                        continue;
-                    }
-                    for (const double x : {-0.15, 0.4, 1.3}) {
-                        for (int order = 0; order <= k; ++order) {
-                            within = std::max(within, jump(surface, m, {x, y}, {0.0, 1e-6}, order));
-                        }
-                        beyond = std::max(beyond, jump(surface, m, {x, y}, {0.0, 1e-6}, k + 1));
-                    }
-                }
-            }
-            EXPECT_LT(within, 1e-8) << "n = " << n << ", k = " << k;
-            EXPECT_GT(beyond, 1e-2) << "n = " << n << ", k = " << k;
+            const Jumps jumps = jumps_across_inner_curves(surface, star, n, k);
+            EXPECT_LT(jumps.within, 1e-8) << "n = " << n << ", k = " << k;
+            EXPECT_GT(jumps.beyond, 1e-2) << "n = " << n << ", k = " << k;
         }
     }
 }
@@ -318,6 +328,20 @@ TEST(ManifoldSurface, HasTheDerivativesOfItsValues) {
     }
 }
 
+/// Which points lie in the outermost `count` rows.
+std::vector<bool> last_rows(const Star& star, int n, int count) {
+    std::vector<bool> found(static_cast<std::size_t>(star.count()), false);
+    const int rows = star.charts_x();
+    for (int m = 0; m < n; ++m) {
+        for (int i = rows - count; i < rows; ++i) {
+            for (int j = 0; j < star.charts_y(m); ++j) {
+                found[static_cast<std::size_t>(star.point_of(m, i, j))] = true;
+            }
+        }
+    }
+    return found;
+}
+
 /// The free points shape the middle and leave the border as it is, to the order k.
 TEST(ManifoldSurface, IsHeldAtItsBorderByKPlusOneRows) {
     for (const int n : {3, 5}) {
@@ -325,15 +349,7 @@ TEST(ManifoldSurface, IsHeldAtItsBorderByKPlusOneRows) {
             const Star star = make_star(uneven(k, n));
             Matrix3Xd points = rough_points(star);
             const StarSurface before(star, points);
-            std::vector<bool> held(static_cast<std::size_t>(star.count()), false);
-            const int rows = star.charts_x();
-            for (int m = 0; m < n; ++m) {
-                for (int i = rows - 1 - k; i < rows; ++i) {
-                    for (int j = 0; j < star.charts_y(m); ++j) {
-                        held[static_cast<std::size_t>(star.point_of(m, i, j))] = true;
-                    }
-                }
-            }
+            const std::vector<bool> held = last_rows(star, n, k + 1);
             const Matrix3Xd other = rough_points(star, 99);
             for (int point = 0; point < star.count(); ++point) {
                 if (!held[static_cast<std::size_t>(point)]) {
