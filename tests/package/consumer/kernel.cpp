@@ -9,5 +9,5 @@ int main() {
     const suture::Validity box =
         suture::measure_validity(BRepPrimAPI_MakeBox(1.0, 2.0, 3.0).Solid());
     std::cout << box.valid << ' ' << box.solids << ' ' << box.faces << ' ' << box.free_edges << ' '
-              << box.volume << '\n';
+              << box.volume.value_or(0.0) << '\n';
 }

@@ -146,12 +146,12 @@ class Fill(Case):
             self.assertTrue(document["valid"], name)
             self.assertEqual(document["free_edges"], 0)
             self.assertEqual(document["solids"], 1)
-            self.assertGreater(run("check", self.output, "--json").json["volume"], 0)
+            self.assertGreater(run("check", self.output, "--json").json["shape"]["volume"], 0)
             self.assertEqual(document["measured_on"], "new faces")
 
     def test_lid_of_the_box_is_a_plane_and_the_volume_is_exact(self):
         document = self.fill("box_without_lid")
-        volume = run("check", self.output, "--json").json["volume"]
+        volume = run("check", self.output, "--json").json["shape"]["volume"]
         self.assertAlmostEqual(volume, 60 * 40 * 25, delta=1e-6)
         self.assertEqual(document["holes"][0]["method_used"], "plane")
 
