@@ -1,6 +1,7 @@
 #include "suture/choose/smoothest.h"
 
 #include "suture/check/profile.h"
+#include "suture/fill/fill.h"
 
 #include <fmt/format.h>
 
@@ -57,6 +58,15 @@ void relax(const std::vector<bool>& sides, const std::string& why, Hole& hole,
     });
 }
 
+/// Methods that `auto` tries do without tangency as well as with it; the others are built on it,
+/// and OCCT's filling has its own ways to do without.
+bool does_without_tangency(const std::string& method) {
+    const auto rows = fill_methods();
+    return method == "auto" || std::any_of(rows.begin(), rows.end(), [&](const FillMethod& row) {
+               return row.in_auto && row.id == method;
+           });
+}
+
 /// The fill that is tangent where that was asked for, or the one that gives it up where the hole's
 /// walls have no tangent fill.
 Result<Choice> choose_tangent(const std::vector<BoundaryLoop>& loops, Hole& hole,
@@ -64,16 +74,18 @@ Result<Choice> choose_tangent(const std::vector<BoundaryLoop>& loops, Hole& hole
                               const Tolerance& tolerance) {
     const bool ours =
         std::any_of(wishes.begin(), wishes.end(), [](const Wish& w) { return w.own; });
-    if (!ours || request.method == "occt") {
-        return choose_fill(loops, hole, request, tolerance);  // OCCT's filling has its own ways
+    if (!ours || !does_without_tangency(request.method)) {
+        return choose_fill(loops, hole, request, tolerance);
     }
     auto tangent = choose_fill(loops, hole, request, tolerance, Effort::Quick);
     const std::vector<bool> sharp = sharp_sides(wishes, tangent);
     if (!tangent && tangent.error().code == ErrorCode::Cancelled) {
         return tangent;
     }
+    const bool automatic = request.method == "auto";
     if (tangent && !any(sharp)) {
-        return tangent->near() ? tangent : choose_fill(loops, hole, request, tolerance);
+        return tangent->near() || !automatic ? tangent
+                                             : choose_fill(loops, hole, request, tolerance);
     }
     double seconds = tangent ? tangent->seconds : 0.0;
     const std::string why = why_not_tangent(tangent);
@@ -93,6 +105,9 @@ Result<Choice> choose_tangent(const std::vector<BoundaryLoop>& loops, Hole& hole
             wishes = std::move(fewer);
             return choice;
         }
+    }
+    if (!automatic) {
+        return tangent;
     }
     auto choice = choose_fill(loops, hole, request, tolerance);
     if (choice) {
