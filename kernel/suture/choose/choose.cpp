@@ -103,6 +103,16 @@ constexpr double kHopelessAngle = radians(90.0);
 /// Beyond this nothing is taken: edges with such a tolerance would swallow the faces around them.
 constexpr double kWildGap = 0.1;
 
+/// Whether an attempt can be better than the best so far, and may take its time.
+bool worthwhile(const Attempt& attempt, const std::optional<Choice>& best, bool automatic,
+                Effort effort) {
+    if (!attempt.slow) {
+        return true;
+    }
+    const bool near = automatic && best && best->near();
+    return effort == Effort::Full && !near && !(attempt.last_resort && best);
+}
+
 /// How a candidate stands among the others: the less the better.
 struct Rank {
     bool wild = false;
@@ -193,14 +203,11 @@ Result<Choice> choose_fill(const std::vector<BoundaryLoop>& loops, const Hole& h
         if (request.progress.cancelled()) {
             return fail(ErrorCode::Cancelled, "stopped while filling");
         }
-        if (attempt.last_resort && best) {
-            continue;
-        }
-        if (automatic && attempt.slow && best && best->near()) {
-            verdicts.push_back(attempt.name + ": not tried");
-            continue;
-        }
-        if (attempt.slow && effort == Effort::Quick) {
+        if (!worthwhile(attempt, best, automatic, effort)) {
+            const bool named = automatic && !attempt.last_resort && best && best->near();
+            if (named) {
+                verdicts.push_back(attempt.name + ": not tried");
+            }
             continue;
         }
         const auto start = Clock::now();
