@@ -21,7 +21,7 @@ from cases import reopened_cases, with_holes
 from program import BARE, BARE_NAMES, BUILD, SUTURE, run
 
 LIMIT = 300  # seconds for one run
-METHODS = ("plane", "extend", "mvs", "auto")
+METHODS = ("plane", "extend", "mvs", "concentric", "auto")
 STAGES = ("read", "detect", "fill", "sew", "write", "check")
 # Small and large files, constructed and real ones.
 CASES = (
