@@ -1,5 +1,6 @@
 #include "suture/faces/join.h"
 
+#include "suture/faces/voids.h"
 #include "suture/occ/guard.h"
 
 #include <BRepLib.hxx>
@@ -50,16 +51,23 @@ class Joiner {
             return shape;
         }
         bool changed = false;
-        TopoDS_Shape copy = shape.EmptyCopied();
+        std::vector<TopoDS_Shape> children;
         for (TopoDS_Iterator it(shape); it.More(); it.Next()) {
             TopoDS_Shape child = rebuilt(it.Value());
             changed = changed || !child.IsSame(it.Value());
             if (!child.IsNull()) {
-                add(copy, shape.ShapeType() == TopAbs_SOLID ? child : as_solid(child));
+                children.push_back(child);
             }
         }
         if (!changed) {
             return shape;
+        }
+        TopoDS_Shape copy = shape.EmptyCopied();
+        if (shape.ShapeType() == TopAbs_COMPOUND) {
+            children = take_in_voids(std::move(children));
+        }
+        for (const TopoDS_Shape& child : children) {
+            add(copy, shape.ShapeType() == TopAbs_SOLID ? child : as_solid(child));
         }
         return copy.ShapeType() == TopAbs_SOLID ? outward(TopoDS::Solid(copy)) : copy;
     }
