@@ -156,9 +156,15 @@ class FaceMaker {
     /// The wires of a patch that fills the hole alone.
     [[nodiscard]] std::vector<TopoDS_Wire> trimmed(const Patch& patch,
                                                    const Handle<Geom_Surface>& surface) {
+        // Seams and poles stand where the layout has its corners.
+        const bool corners_free =
+            !patch.seam && std::ranges::all_of(patch.pole_corners,
+                                               [](const auto& corners) { return corners.empty(); });
+        const Ends ends = corners_free ? Ends::Feet : Ends::Laid;
         for (std::size_t l = 0; l < loops_.size(); ++l) {
             for (std::size_t i = 0; i < loops_[l].edges.size(); ++i) {
-                put_side(static_cast<int>(l), static_cast<int>(i), patch.trims[l][i], surface);
+                put_side(static_cast<int>(l), static_cast<int>(i), patch.trims[l][i], surface,
+                         ends);
             }
         }
         return Outline(loops_, patch, surface, accuracy_).wires();
@@ -188,7 +194,7 @@ class FaceMaker {
     [[nodiscard]] TopoDS_Edge put(const EdgeUse& use, const Patch& patch,
                                   const Handle<Geom_Surface>& surface) {
         if (use.loop >= 0) {
-            put_side(use.loop, use.index, use.at, surface);
+            put_side(use.loop, use.index, use.at, surface, Ends::Laid);
             return loops_[static_cast<std::size_t>(use.loop)]
                 .edges[static_cast<std::size_t>(use.index)]
                 .edge;
@@ -196,7 +202,7 @@ class FaceMaker {
         const TopoDS_Edge& edge = inner_.edge(use, surface);
         const EdgeUse* other = other_use(use, patch);
         if (other == nullptr) {
-            note(put_on_surface(edge, surface, use.at, accuracy_));
+            note(put_on_surface(edge, surface, use.at, Ends::Laid, accuracy_));
         } else if (!use.backwards) {
             // Turning the wires over turns the uses over.
             note(patch.reversed
@@ -218,14 +224,15 @@ class FaceMaker {
         return nullptr;
     }
 
-    void put_side(int loop, int side, const TrimCurve& trim, const Handle<Geom_Surface>& surface) {
+    void put_side(int loop, int side, const TrimCurve& trim, const Handle<Geom_Surface>& surface,
+                  Ends ends) {
         const auto l = static_cast<std::size_t>(loop);
         const auto i = static_cast<std::size_t>(side);
         const Ribbon& ribbon = hole_.loops[l].ribbons[i];
         const auto at = [&](double t) {
             return trim((t - ribbon.first) / (ribbon.last - ribbon.first));
         };
-        note(put_on_surface(loops_[l].edges[i].edge, surface, at, accuracy_));
+        note(put_on_surface(loops_[l].edges[i].edge, surface, at, ends, accuracy_));
     }
 
     void note(const Placed& placed) {

@@ -1,6 +1,9 @@
 #include "suture/faces/put_on_surface.h"
 
+#include "suture/faces/foot_points.h"
+#include "suture/faces/mark_gap.h"
 #include "suture/faces/pcurve.h"
+#include "suture/occ/convert.h"
 
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
@@ -8,8 +11,10 @@
 #include <Geom_Curve.hxx>
 #include <Geom_Plane.hxx>
 #include <TopExp.hxx>
+#include <TopoDS.hxx>
 
 #include <algorithm>
+#include <array>
 #include <vector>
 
 namespace suture {
@@ -76,27 +81,72 @@ double largest_along(double first, double last, const std::function<double(doubl
     return largest;
 }
 
+/// A pcurve need not be nearer to the feet than this share of the gap that they leave.
+constexpr double kShareOfGap = 1e-3;
+
+struct Placement {
+    Handle<Geom2d_Curve> pcurve;
+    double gap = 0.0;  ///< largest distance to the surface
+    double reach =
+        0.0;  ///< largest distance to the pcurve's image: what the tolerance has to cover
+};
+
 /// An edge's own curve.
 struct Course {
+    TopoDS_Edge edge;
     double first = 0.0, last = 0.0;
     Handle<Geom_Curve> curve;
 
-    explicit Course(const TopoDS_Edge& edge) : curve(BRep_Tool::Curve(edge, first, last)) {}
+    explicit Course(const TopoDS_Edge& of)
+        : edge(TopoDS::Edge(of.Oriented(TopAbs_FORWARD))),
+          curve(BRep_Tool::Curve(edge, first, last)) {}
+
+    /// The largest distance to the points of a surface at the same parameter.
+    [[nodiscard]] double distance(const Geom_Surface& surface, const Trim& at) const {
+        return largest_along(first, last, [&](double t) {
+            const Eigen::Vector2d uv = at(t);
+            return curve->Value(t).Distance(surface.Value(uv.x(), uv.y()));
+        });
+    }
 
     [[nodiscard]] double distance(const Geom_Surface& surface, const Geom2d_Curve& pcurve) const {
-        return largest_along(first, last, [&](double t) {
-            const gp_Pnt2d uv = pcurve.Value(t);
-            return curve->Value(t).Distance(surface.Value(uv.X(), uv.Y()));
-        });
+        return distance(surface, [&](double t) { return occ::from_occ(pcurve.Value(t)); });
+    }
+
+    /// The curve on the surface: where the layout has it if that is the place, else at the feet.
+    [[nodiscard]] Handle<Geom2d_Curve> laid(const Handle<Geom_Surface>& surface, const Trim& at,
+                                            Ends ends, double accuracy) const {
+        if (distance(*surface, at) <= accuracy) {
+            return fit_pcurve(at, first, last, *surface, accuracy);
+        }
+        std::array<Eigen::Vector2d, 2> fixed{at(first), at(last)};
+        if (ends == Ends::Feet) {
+            const std::array vertices{TopExp::FirstVertex(edge), TopExp::LastVertex(edge)};
+            for (std::size_t i = 0; i < fixed.size(); ++i) {
+                fixed[i] =
+                    foot_point(occ::from_occ(BRep_Tool::Pnt(vertices[i])), *surface, fixed[i]);
+            }
+        }
+        const Trim feet = foot_points(curve, first, last, surface, at, fixed);
+        return fit_pcurve(feet, first, last, *surface,
+                          std::max(accuracy, kShareOfGap * distance(*surface, feet)));
+    }
+
+    [[nodiscard]] Placement on(const Handle<Geom_Surface>& surface, const Trim& at, Ends ends,
+                               double accuracy) const {
+        const Handle<Geom2d_Curve> plain = laid(surface, at, ends, accuracy);
+        const double gap = distance(*surface, *plain);
+        const Handle<Geom2d_Curve> marked = mark_gap(curve, first, last, surface, plain, gap);
+        return {marked, gap, marked == plain ? gap : distance(*surface, *marked)};
     }
 };
 
-/// What the gap asks for.
-Placed grow(const TopoDS_Edge& edge, double gap) {
-    if (gap <= BRep_Tool::Tolerance(edge)) {
+/// What a reach asks for: the gap, and a little more where the pcurve marks it.
+Placed grow(const TopoDS_Edge& edge, double gap, double reach) {
+    if (reach <= BRep_Tool::Tolerance(edge)) {
         return {gap, 0.0};
     }
-    const double needed = gap * kMargin;
+    const double needed = reach * kMargin;
     const BRep_Builder builder;
     builder.UpdateEdge(edge, needed);
     for (const TopoDS_Vertex& vertex : {TopExp::FirstVertex(edge), TopExp::LastVertex(edge)}) {
@@ -108,29 +158,27 @@ Placed grow(const TopoDS_Edge& edge, double gap) {
 }  // namespace
 
 Placed put_on_surface(const TopoDS_Edge& edge, const Handle<Geom_Surface>& surface, const Trim& at,
-                      double accuracy) {
+                      Ends ends, double accuracy) {
     const Course course(edge);
     if (const auto plane = occ::cast<Geom_Plane>(surface)) {
         const gp_Pln pln = plane->Pln();
-        return grow(edge, largest_along(course.first, course.last, [&](double t) {
-                        return pln.Distance(course.curve->Value(t));
-                    }));
+        const double gap = largest_along(course.first, course.last, [&](double t) {
+            return pln.Distance(course.curve->Value(t));
+        });
+        return grow(edge, gap, gap);
     }
-    const Handle<Geom2d_Curve> pcurve =
-        fit_pcurve(at, course.first, course.last, *surface, accuracy);
-    BRep_Builder().UpdateEdge(edge, pcurve, surface, TopLoc_Location(), 0.0);
-    return grow(edge, course.distance(*surface, *pcurve));
+    const Placement placed = course.on(surface, at, ends, accuracy);
+    BRep_Builder().UpdateEdge(edge, placed.pcurve, surface, TopLoc_Location(), 0.0);
+    return grow(edge, placed.gap, placed.reach);
 }
 
 Placed put_on_surface_twice(const TopoDS_Edge& edge, const Handle<Geom_Surface>& surface,
                             const Trim& forward, const Trim& reversed, double accuracy) {
     const Course course(edge);
-    const Handle<Geom2d_Curve> one =
-        fit_pcurve(forward, course.first, course.last, *surface, accuracy);
-    const Handle<Geom2d_Curve> other =
-        fit_pcurve(reversed, course.first, course.last, *surface, accuracy);
-    BRep_Builder().UpdateEdge(edge, one, other, surface, TopLoc_Location(), 0.0);
-    return grow(edge, std::max(course.distance(*surface, *one), course.distance(*surface, *other)));
+    const Placement one = course.on(surface, forward, Ends::Laid, accuracy);
+    const Placement other = course.on(surface, reversed, Ends::Laid, accuracy);
+    BRep_Builder().UpdateEdge(edge, one.pcurve, other.pcurve, surface, TopLoc_Location(), 0.0);
+    return grow(edge, std::max(one.gap, other.gap), std::max(one.reach, other.reach));
 }
 
 void reach(const TopoDS_Vertex& vertex, const gp_Pnt& point) {

@@ -19,13 +19,21 @@ struct Placed {
     double tolerance = 0.0;  ///< the edge's new tolerance, 0 if the old one was large enough
 };
 
-/// Gives an edge its curve on a further surface; planes need none.
+/// Where a pcurve that was laid out begins and ends.
+enum class Ends {
+    Laid,  ///< in the layout's corners, on which other curves of the surface rely
+    Feet,  ///< in the feet of the edge's vertices, which neighbouring edges share
+};
+
+/// Gives an edge its curve on a further surface; planes need none. It stands at the edge's own feet
+/// on the surface, so that the distance at one parameter is the gap and nothing else.
 ///
-/// Input    at: (u, v) at the edge's parameter t; accuracy: of the pcurve, model units.
+/// Input    at: about where that is, (u, v) at the edge's parameter t; accuracy: of the pcurve,
+///          model units.
 /// Changes  the edge: the tolerances of it and its vertices grow where the gap needs it.
 [[nodiscard]] Placed put_on_surface(const TopoDS_Edge& edge,
                                     const occ::Handle<Geom_Surface>& surface,
-                                    const std::function<Eigen::Vector2d(double t)>& at,
+                                    const std::function<Eigen::Vector2d(double t)>& at, Ends ends,
                                     double accuracy);
 
 /// The same for an edge that the surface meets twice, a seam.
