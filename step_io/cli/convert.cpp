@@ -4,8 +4,10 @@
 #include "cli/load.h"
 #include "cli/options.h"
 #include "cli/report_json.h"
+#include "files/losses.h"
 
 #include <fmt/format.h>
+#include <spdlog/spdlog.h>
 
 namespace suture::cli {
 namespace {
@@ -66,6 +68,10 @@ Result<Outcome> convert(Run& run, const Command& command, const ConvertOptions& 
     if (!written) {
         return tl::unexpected(written.error());
     }
+    const std::vector<std::string> lost = io::lost_in(model->file, options.format);
+    for (const std::string& loss : lost) {
+        spdlog::warn("{}", loss);
+    }
     Outcome outcome;
     outcome.verdict =
         fmt::format("wrote {} ({})", options.output.string(), io::to_string(options.format));
@@ -80,6 +86,7 @@ Result<Outcome> convert(Run& run, const Command& command, const ConvertOptions& 
         {"output_format", io::to_string(options.format)},
         {"model", json_of(model->file)},
         {"sewing", json_of(model->sewing)},
+        {"lost", lost},
         {"seconds",
          {{"read", model->seconds_read}, {"sew", model->seconds_sew}, {"write", watch.seconds()}}}};
     return outcome;

@@ -4,6 +4,7 @@
 #include "cli/remeasure.h"
 #include "cli/reread.h"
 #include "files/read.h"
+#include "files/stated_accuracy.h"
 #include "suture/occ/convert.h"
 
 #include <spdlog/spdlog.h>
@@ -78,8 +79,7 @@ class FillJob {
     }
 
     Result<FillSummary> run() && {
-        for (const auto step :
-             {&FillJob::find, &FillJob::fill, &FillJob::write, &FillJob::measure}) {
+        for (const auto step : {&FillJob::find, &FillJob::fill, &FillJob::deliver}) {
             const Result<void> done = (this->*step)();
             if (!done) {
                 validity_.wait();
@@ -185,26 +185,89 @@ class FillJob {
             summary_.seconds.choose += outcome->seconds_choose;
             summary_.seconds.sew += outcome->seconds_sew;
             model_.file.replace(part.part, outcome->shape, {});
+            adopt_looks(part.part, *outcome);
             filled_.push_back({&part, std::move(*outcome)});
         }
         summary_.seconds.fill_step = watch.seconds();
         return {};
     }
 
+    /// Every hole for itself: neighbours of different holes need not look alike.
+    void adopt_looks(const io::Part& part, const FillOutcome& outcome) {
+        std::span<const TopoDS_Face> faces(outcome.new_faces);
+        for (const HoleReport& hole : outcome.holes) {
+            if (hole.status == FillStatus::Filled) {
+                model_.file.adopt_looks(part, faces.first(hole.patches.size()));
+                faces = faces.subspan(hole.patches.size());
+            }
+        }
+    }
+
+    /// Writes and reads back; what the file spoils is not done, even within tolerance.
+    Result<void> deliver() {
+        std::vector<HoleReport> memory;
+        std::vector<TopoDS_Face> new_faces;
+        for (const FilledPart& part : filled_) {
+            memory.insert(memory.end(), part.outcome.holes.begin(), part.outcome.holes.end());
+            new_faces.insert(new_faces.end(), part.outcome.new_faces.begin(),
+                             part.outcome.new_faces.end());
+        }
+        reread_.emplace(filled_);
+        const auto write_and_compare = [&](double accuracy) {
+            auto report = memory.begin();
+            for_each_hole([&](HoleReport& hole) { hole = *report++; });
+            model_.file.precision = accuracy;
+            return write().and_then([&] { return measure(); }).map([&] {
+                std::vector<HoleReport> file;
+                for_each_hole([&](const HoleReport& hole) { file.push_back(hole); });
+                return lost_by_writing(memory, file);
+            });
+        };
+        return write_with_least_loss(accuracies(new_faces), write_and_compare)
+            .map([&](std::vector<WritingLoss>&& losses) {
+                for (const WritingLoss& loss : losses) {
+                    for_each_hole([&](HoleReport& hole) {
+                        if (hole.ids == loss.hole) {
+                            hole.within_tolerance = false;
+                            hole.notes.push_back("shape changed by writing: " + to_string(loss));
+                        }
+                    });
+                }
+                summary_.lost_by_writing = std::move(losses);
+            });
+    }
+
+    /// Only STEP and IGES state one.
+    [[nodiscard]] std::vector<double> accuracies(const std::vector<TopoDS_Face>& new_faces) const {
+        const bool stated =
+            settings_.format == io::Format::Step || settings_.format == io::Format::Iges;
+        return stated && !new_faces.empty()
+                   ? io::accuracies_to_state(model_.file.precision, new_faces)
+                   : std::vector{model_.file.precision};
+    }
+
+    template <class Action>
+    void for_each_hole(Action&& action) {
+        for (FilledPart& part : filled_) {
+            for (HoleReport& hole : part.outcome.holes) {
+                action(hole);
+            }
+        }
+    }
+
     Result<void> write() {
         const Stopwatch watch;
         const Progress progress = run_.stage(
             Stage::Writing, "writing " + settings_.output.filename().string(), kFilled, kWritten);
-        reread_.emplace(filled_);
-        // OCCT writes and reads on one core: the others look at the shape meanwhile.
-        if (settings_.format == io::Format::Step || is_mesh(settings_.format)) {
-            validity_.run([&] {
-                summary_.validity = measure_validity(model_.file.shape(), ValidityDepth::Valid);
-            });
+        // OCCT writes and reads on one core: the others look at the shape meanwhile, once.
+        if (!std::exchange(looking_, true) &&
+            (settings_.format == io::Format::Step || is_mesh(settings_.format))) {
+            validity_.run(
+                [&] { in_memory_ = measure_validity(model_.file.shape(), ValidityDepth::Valid); });
         }
         auto written = io::write_model(model_.file, settings_.output, settings_.format,
                                        settings_.mesh, reread_->faces());
-        summary_.seconds.write = watch.seconds();
+        summary_.seconds.write += watch.seconds();
         return std::move(written).map(
             [&](std::vector<io::StepId>&& entities) { entities_ = std::move(entities); });
     }
@@ -215,7 +278,7 @@ class FillJob {
         if (!shape) {
             return tl::unexpected(shape.error());
         }
-        summary_.seconds.reread = watch.seconds();
+        summary_.seconds.reread += watch.seconds();
         const Progress progress = run_.stage(Stage::Checking, "measuring the result", kReread, 1.0);
         Result<void> measured =
             remeasure(*shape, filled_, settings_.request.tolerance, progress).map([&] {
@@ -224,12 +287,13 @@ class FillJob {
                 }
             });
         validity_.wait();
+        summary_.validity = in_memory_;
         if (summary_.measured_on == MeasuredOn::File) {
             summary_.validity = measure_validity(*shape, ValidityDepth::Valid);
         } else if (summary_.measured_on == MeasuredOn::NewFaces) {
             add_problems(measure_validity(*shape, ValidityDepth::Valid));
         }
-        summary_.seconds.check = watch.seconds();
+        summary_.seconds.check += watch.seconds();
         return measured;
     }
 
@@ -315,7 +379,9 @@ class FillJob {
     std::optional<RereadFaces> reread_;
     std::vector<io::StepId> entities_;  ///< of its faces, in the output
     FillSummary summary_;
-    tbb::task_group validity_;  ///< sets summary_.validity
+    bool looking_ = false;  ///< whether validity_ runs, or has run
+    Validity in_memory_;
+    tbb::task_group validity_;  ///< sets in_memory_
 };
 
 }  // namespace

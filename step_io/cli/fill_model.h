@@ -2,6 +2,7 @@
 
 #include "cli/command.h"
 #include "cli/load.h"
+#include "cli/survival.h"
 #include "files/write.h"
 #include "suture/check/validity.h"
 #include "suture/fill_holes.h"
@@ -46,6 +47,7 @@ enum class MeasuredOn {
 struct FillSummary {
     std::vector<HoleReport> holes;  ///< every boundary loop of the model
     std::vector<int> sides;         ///< how many edges each of these has
+    std::vector<WritingLoss> lost_by_writing;
     Validity validity;
     MeasuredOn measured_on = MeasuredOn::Memory;
     SewingFacts sewing;

@@ -1,6 +1,7 @@
 #include "cli/fill_report.h"
 
 #include "cli/report_json.h"
+#include "files/losses.h"
 
 #include <fmt/format.h>
 
@@ -208,6 +209,10 @@ Outcome report_fill(const FillSummary& summary, const FillSettings& settings) {
     if (!summary.validity.problems.empty()) {
         outcome.sections.push_back({"BRepCheck", Table({}), summary.validity.problems});
     }
+    const std::vector<std::string> lost = io::lost_in(summary.file, settings.format);
+    if (!lost.empty()) {
+        outcome.sections.push_back({"Lost by this format", Table({}), lost});
+    }
     Json holes = Json::array();
     for (std::size_t i = 0; i < summary.holes.size(); ++i) {
         holes.push_back(json_of(summary.holes[i], summary.sides[i]));
@@ -216,6 +221,7 @@ Outcome report_fill(const FillSummary& summary, const FillSettings& settings) {
                         {"output_format", io::to_string(settings.format)},
                         {"model", json_of(summary.file)},
                         {"sewing", json_of(summary.sewing)},
+                        {"lost", lost},
                         {"tolerance",
                          {{"gap_mm", tolerance.linear},
                           {"angle_deg", degrees(tolerance.angular)},

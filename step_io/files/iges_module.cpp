@@ -34,12 +34,17 @@ IgesOutcome read(const char* file, const Document& document, IgesGlobals& global
     return reader.Transfer(target, progress) ? IgesOutcome::Done : IgesOutcome::TransferFailed;
 }
 
-IgesOutcome write(const Document& document, std::ostream& stream) {
+IgesOutcome write(const Document& document, const char* time, std::ostream& stream) {
     IGESCAFControl_Writer writer;
     if (!writer.Transfer(document)) {
         return IgesOutcome::TransferFailed;
     }
     writer.ComputeModel();
+    IGESData_GlobalSection globals = writer.Model()->GlobalSection();
+    const auto stamp = occ::make<TCollection_HAsciiString>(time);
+    globals.SetDate(stamp);
+    globals.SetLastChangeDate(stamp);
+    writer.Model()->SetGlobalSection(globals);
     return writer.Write(stream) ? IgesOutcome::Done : IgesOutcome::FileFailed;
 }
 

@@ -25,7 +25,8 @@ struct IgesModule {
     void (*make_parameters)();
     IgesOutcome (*read)(const char* file, const Document& document, IgesGlobals& globals,
                         const Message_ProgressRange& progress);
-    IgesOutcome (*write)(const Document& document, std::ostream& stream);
+    /// Input    time: of the writing, as IGES has it.
+    IgesOutcome (*write)(const Document& document, const char* time, std::ostream& stream);
 };
 
 /// The module, loaded at the first call, its parameters made. Throws std::runtime_error without it.

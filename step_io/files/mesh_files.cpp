@@ -1,4 +1,5 @@
 #include "files/mesh.h"
+#include "files/write_time.h"
 #include "files/zip_module.h"
 #include "suture/base/on_demand.h"
 #include "suture/base/text.h"
@@ -113,12 +114,17 @@ Result<void> write_obj(const Mesh& mesh, const std::string& name, std::ostream& 
 }
 
 Result<void> write_3mf(const Mesh& mesh, const std::string& name, std::ostream& stream) {
+    const Result<std::tm> time = time_of_writing();
+    if (!time) {
+        return tl::unexpected(time.error());
+    }
     const std::string model = model_xml(mesh, name);
     MakeZip* const make_zip =
         *static_cast<MakeZip* const*>(symbol_on_demand("suture_zip.so", "suture_make_zip"));
     const ZipArchive archive = make_zip({{"[Content_Types].xml", kContentTypes},
                                          {"_rels/.rels", kRelations},
-                                         {"3D/3dmodel.model", model}});
+                                         {"3D/3dmodel.model", model}},
+                                        *time);
     if (!archive.error.empty()) {
         return fail(ErrorCode::Internal, "the zip archive cannot be made: {}", archive.error);
     }

@@ -6,9 +6,11 @@
 #include <TDF_Label.hxx>
 #include <TDocStd_Document.hxx>
 #include <TopTools_DataMapOfShapeShape.hxx>
+#include <TopoDS_Face.hxx>
 #include <TopoDS_Shape.hxx>
 
 #include <filesystem>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -54,6 +56,12 @@ struct ModelFile {
     /// there are as many as before. Assemblies are updated; the order of parts stays.
     void replace(const Part& part, const TopoDS_Shape& shape,
                  const TopTools_DataMapOfShapeShape& replaced);
+
+    /// Gives the new faces of one hole the colours and layers on which their neighbours agree,
+    /// whether these are the neighbours' own or those of their solid or part.
+    ///
+    /// Input    faces: of the part's shape.
+    void adopt_looks(const Part& part, std::span<const TopoDS_Face> faces);
 
     /// Makes one part of all parts that hold only loose faces (no solid, no shell of two faces), so
     /// that they can be sewn: a compound of faces where they stand in the model. Their names,

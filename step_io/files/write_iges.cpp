@@ -2,6 +2,7 @@
 
 #include "files/iges_module.h"
 #include "files/static_scope.h"
+#include "files/write_time.h"
 
 #include <TopExp.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
@@ -25,6 +26,10 @@ bool has_sewn_shell(const TopoDS_Shape& shape) {
 }  // namespace
 
 Result<void> write_iges(const ModelFile& model, const std::string& name, std::ostream& stream) {
+    const Result<std::tm> time = time_of_writing();
+    if (!time) {
+        return tl::unexpected(time.error());
+    }
     StaticScope scope;
     const IgesModule& iges = iges_module();
     scope.set("xstep.cascade.unit", "MM");
@@ -41,7 +46,7 @@ Result<void> write_iges(const ModelFile& model, const std::string& name, std::os
         scope.set("write.precision.mode", kUseGivenValue);
         scope.set("write.precision.val", model.precision);
     }
-    switch (iges.write(model.document, stream)) {
+    switch (iges.write(model.document, iges_time(*time).c_str(), stream)) {
         case IgesOutcome::TransferFailed:
             return fail(ErrorCode::Internal, "OCCT cannot write the model as IGES{}{}",
                         scope.complaint().empty() ? "" : ": ", scope.complaint());

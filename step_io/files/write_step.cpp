@@ -2,6 +2,7 @@
 
 #include "files/static_scope.h"
 #include "files/step_text.h"
+#include "files/write_time.h"
 
 #include <APIHeaderSection_MakeHeader.hxx>
 #include <Interface_HArray1OfHAsciiString.hxx>
@@ -40,10 +41,11 @@ const char* occt_schema(const std::string& schema) {
     return schema == "AP203" ? "AP203" : schema == "AP242" ? "AP242DIS" : "AP214IS";
 }
 
-void write_header(const ModelFile& model, const std::string& name,
+void write_header(const ModelFile& model, const std::string& name, const std::tm& time,
                   const occ::Handle<StepData_StepModel>& entities) {
     APIHeaderSection_MakeHeader header(entities);
     header.SetName(to_occ(name));
+    header.SetTimeStamp(to_occ(step_time(time)));
     header.SetOriginatingSystem(to_occ("Suture " SUTURE_VERSION));
     header.SetAuthor(to_occ(model.origin.authors));
     header.SetOrganization(to_occ(model.origin.organizations));
@@ -64,6 +66,10 @@ StepId entity_of(const TopoDS_Face& face, const XSControl_WorkSession& session,
 
 Result<std::vector<StepId>> write_step(const ModelFile& model, const std::string& name,
                                        std::span<const TopoDS_Face> traced, std::ostream& stream) {
+    const Result<std::tm> time = time_of_writing();
+    if (!time) {
+        return tl::unexpected(time.error());
+    }
     StaticScope scope;
     scope.set("write.step.schema", occt_schema(model.schema));  // before there is a writer
     scope.set("write.step.unit", model.unit.c_str());
@@ -85,7 +91,7 @@ Result<std::vector<StepId>> write_step(const ModelFile& model, const std::string
                     scope.complaint().empty() ? "" : ": ", scope.complaint());
     }
     const occ::Handle<StepData_StepModel> entities = writer.ChangeWriter().Model();
-    write_header(model, name, entities);
+    write_header(model, name, *time, entities);
     StepData_StepWriter text(entities);
     text.SendModel(occ::cast<StepData_Protocol>(writer.ChangeWriter().WS()->Protocol()));
     std::ostringstream printed;

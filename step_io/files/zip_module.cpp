@@ -2,9 +2,23 @@
 
 #include <zip.h>
 
+#include <algorithm>
+
 namespace suture::io {
 
 namespace {
+
+/// Zip counts in steps of two seconds, from 1980 to 2107.
+zip_uint16_t dos_time(const std::tm& time) {
+    return static_cast<zip_uint16_t>((time.tm_hour << 11) | (time.tm_min << 5) | (time.tm_sec / 2));
+}
+
+zip_uint16_t dos_date(const std::tm& time) {
+    constexpr int kFirst = 80;  // of tm_year
+    constexpr int kLast = 207;
+    const int year = std::clamp(time.tm_year, kFirst, kLast) - kFirst;
+    return static_cast<zip_uint16_t>((year << 9) | ((time.tm_mon + 1) << 5) | time.tm_mday);
+}
 
 /// A zip archive in memory.
 class Archive {
@@ -21,10 +35,14 @@ class Archive {
     Archive(const Archive&) = delete;
     Archive& operator=(const Archive&) = delete;
 
-    void add(const ZipEntry& entry) {
+    void add(const ZipEntry& entry, const std::tm& time) {
         zip_source_t* source =
             zip_source_buffer(zip_, entry.content.data(), entry.content.size(), 0);
-        good_ = good_ && zip_file_add(zip_, entry.name, source, ZIP_FL_ENC_UTF_8) >= 0;
+        const zip_int64_t index = zip_file_add(zip_, entry.name, source, ZIP_FL_ENC_UTF_8);
+        // As in the archive: zip_file_set_mtime would go by the local time.
+        good_ = good_ && index >= 0 &&
+                zip_file_set_dostime(zip_, static_cast<zip_uint64_t>(index), dos_time(time),
+                                     dos_date(time), 0) == 0;
     }
 
     ZipArchive close() {
@@ -48,10 +66,10 @@ class Archive {
     bool good_ = true;
 };
 
-ZipArchive make_zip(const std::vector<ZipEntry>& entries) {
+ZipArchive make_zip(const std::vector<ZipEntry>& entries, const std::tm& time) {
     Archive archive;
     for (const ZipEntry& entry : entries) {
-        archive.add(entry);
+        archive.add(entry, time);
     }
     return archive.close();
 }

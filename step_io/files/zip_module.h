@@ -1,5 +1,6 @@
 #pragma once
 
+#include <ctime>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -18,6 +19,7 @@ struct ZipArchive {
 
 /// All that calls libzip, which brings a library of cryptography along: a module of its own, loaded
 /// only by runs that write 3MF.
-using MakeZip = ZipArchive(const std::vector<ZipEntry>& entries);
+/// Every entry is dated `time`, as it stands there.
+using MakeZip = ZipArchive(const std::vector<ZipEntry>& entries, const std::tm& time);
 
 }  // namespace suture::io
