@@ -215,7 +215,7 @@ def main():
     parser.add_argument("what", choices=("units", "booleans"))
     parser.add_argument("names", nargs="*")
     parser.add_argument("-o", "--output", type=Path)
-    options = parser.parse_args()
+    options = parser.parse_intermixed_args()
     if options.what == "units":
         units(options.output or SOURCE / "docs/written.md")
     else:

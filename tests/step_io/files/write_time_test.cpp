@@ -22,7 +22,7 @@ class Epoch {
 
 std::string bytes_of(Format format, const std::string& name) {
     const Folder folder;
-    const ModelFile model = two_level_assembly();
+    const ModelFile model = model_of(BRepPrimAPI_MakeBox(30, 20, 5).Shape(), "box");
     const auto written = write_model(model, folder / name, format, MeshOptions());
     return written ? read_bytes(folder / name).value() : written.error().message;
 }
@@ -67,7 +67,7 @@ TEST(WriteTime, MakesTheSameBytesInEveryFormat) {
         {
             const Epoch epoch("951827696");
             early = bytes_of(format, name);
-            EXPECT_EQ(early, bytes_of(format, name)) << name;
+            EXPECT_TRUE(early == bytes_of(format, name)) << name;
         }
         const Epoch epoch("982368000");
         const bool dated =
@@ -86,7 +86,7 @@ TEST(WriteTime, IsNotThatOfTheTimeZone) {
     const std::string west = bytes_of(Format::ThreeMf, "a.3mf");
     unsetenv("TZ");
     tzset();
-    EXPECT_EQ(east, west);
+    EXPECT_TRUE(east == west);
 }
 
 }  // namespace suture::io::test
