@@ -5,6 +5,7 @@
 #include "files/static_scope.h"
 #include "files/step_text.h"
 #include "files/units.h"
+#include "suture/occ/step_units.h"
 
 #include <APIHeaderSection_MakeHeader.hxx>
 #include <Interface_InterfaceModel.hxx>
@@ -66,7 +67,7 @@ void read_context(const Interface_InterfaceModel& entities, ModelFile& model) {
             continue;
         }
         STEPConstruct_UnitContext units;
-        units.ComputeFactors(context->GlobalUnitAssignedContext());
+        occ::compute_factors(units, context->GlobalUnitAssignedContext());
         if (!units.LengthDone()) {
             continue;
         }
