@@ -18,7 +18,7 @@ def across(edge, face, count=40):
         try:
             normal = face.normalAt(u, v)
             tangent = edge.tangentAt(t)
-            curvature = _normal_curvature(face, u, v, normal.cross(tangent))
+            curvature = normal_curvature(face, u, v, normal.cross(tangent))
         except Exception:  # the pole of a sphere, the tip of a cone: nothing to draw there
             continue
         feet.append(point)
@@ -27,7 +27,7 @@ def across(edge, face, count=40):
     return Comb(feet, curvatures, normals)
 
 
-def _normal_curvature(face, u, v, direction):
+def normal_curvature(face, u, v, direction):
     """Curvature of the normal section in a direction, by Euler's formula; towards the face's normal
     where it is positive."""
     surface = face.Surface

@@ -1,7 +1,12 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What differs between FreeCAD 0.20 (Qt 5) and 1.x (Qt 6): here and nowhere else."""
 
+import contextlib
+import sys
+
 import FreeCAD as App
+
+from .errors import SutureError
 
 try:
     from PySide import QtCore, QtGui
@@ -19,6 +24,11 @@ def translate(text):
     return App.Qt.translate("Suture", text)
 
 
+def QT_TRANSLATE_NOOP(context, text):
+    """`text` as it is, which Qt translates in a context of its own (a command's, by FreeCAD)."""
+    return text
+
+
 def mark(text):
     """`text` as it is, to be translated where it is shown."""
     return text
@@ -32,6 +42,24 @@ def as_int(flags):
 def run_loop(loop):
     """QEventLoop or QDialog until it ends."""
     return loop.exec() if hasattr(loop, "exec") else loop.exec_()
+
+
+@contextlib.contextmanager
+def without_traceback():
+    """FreeCAD reports what an object's execute raises with a traceback, before anybody else can. A
+    SutureError is the user's: its sentence is enough."""
+    try:
+        yield
+    except SutureError:
+        if App.GuiUp:
+            sys.tracebacklimit = 0
+            QtCore.QTimer.singleShot(0, _with_traceback)
+        raise
+
+
+def _with_traceback():
+    if hasattr(sys, "tracebacklimit"):
+        del sys.tracebacklimit
 
 
 class Stateless:
@@ -50,14 +78,29 @@ class Stateless:
 def element_of(sub):
     """The element ("Edge9") that a sub-element name ends in, or "".
 
-    1.x puts mapped names before it, as in "Body.Pad.;g233;SKT.Face6" or "?Face6".
+    1.x puts mapped names before it, as in "Body.Pad.;g233;SKT.Face6", and a "?" before the element
+    where it no longer knows which one is meant: that is an error, not a number.
     """
-    return sub.rsplit(".", 1)[-1].lstrip("?") if sub else ""
+    element = sub.rsplit(".", 1)[-1] if sub else ""
+    if element.startswith("?"):
+        raise SutureError(
+            translate("{} is no longer there after the object has changed: choose it again.").format(
+                element.lstrip("?")
+            )
+        )
+    return element
 
 
 def face_colors(view_object):
     """The colours of the faces as tuples of four floats; one for all of them, or one for each."""
     return [tuple(float(part) for part in color) for color in view_object.DiffuseColor]
+
+
+def plain_color(view_object):
+    """The colour of an object as one of face_colors. The last number there is transparency; that of
+    ShapeColor is opacity on 1.x."""
+    color = tuple(float(part) for part in view_object.ShapeColor[:3])
+    return (*color, view_object.Transparency / 100.0)
 
 
 def set_face_colors(view_object, colors):

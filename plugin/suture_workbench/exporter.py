@@ -7,7 +7,7 @@ from pathlib import Path
 
 import FreeCAD as App
 
-from . import reports, tasks, waiting
+from . import reports, tasks, waiting, words
 from .errors import NothingToDo
 from .options import FillOptions
 
@@ -27,7 +27,7 @@ def export(objects, filename):
             return _write_unfilled(plain, target)
     report = reports.fill(document)
     if not report.ok:
-        App.Console.PrintWarning(f"{target.name}: {reports.shortfall(report)}\n")
+        App.Console.PrintWarning(f"{target.name}: {words.shortfall(report)}\n")
     return report.verdict
 
 

@@ -5,7 +5,7 @@ import FreeCAD as App
 
 from . import exporter
 from .compat import translate
-from .errors import Cancelled
+from .errors import Cancelled, SutureError
 
 
 def on_export(objects, filename):
@@ -15,5 +15,12 @@ def on_export(objects, filename):
         App.Console.PrintWarning(
             translate("Export stopped: {} was not written.").format(filename) + "\n"
         )
+        return
+    except SutureError as error:
+        if not App.GuiUp:
+            raise
+        from .gui import failures
+
+        failures.show(error)
         return
     App.Console.PrintMessage(f"{filename}: {verdict}\n")

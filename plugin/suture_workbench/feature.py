@@ -6,168 +6,28 @@ import json
 
 import FreeCAD as App
 
-from . import exchange, places, reports, tasks, waiting
-from .compat import Stateless, element_of, mark, translate
+from . import exchange, marks, places, reports, tasks, waiting, words
+from .compat import Stateless, element_of, translate, without_traceback
 from .errors import ProgramMissing, SutureError
-from .options import CONTINUITIES, FillOptions
+from .options import FillOptions
 from .program import methods
-
-# name, type, group, tooltip, editor mode (0 shown, 1 read-only, 2 hidden)
-_PROPERTIES = [
-    (
-        "Base",
-        "App::PropertyLinkSubGlobal",
-        "Fill",
-        mark("The shape, and an edge of each hole to fill; no edge: all holes"),
-        0,
-    ),
-    (
-        "Method",
-        "App::PropertyEnumeration",
-        "Fill",
-        mark("The fill method; auto tries what applies and keeps the best"),
-        0,
-    ),
-    (
-        "MethodOptions",
-        "App::PropertyStringList",
-        "Fill",
-        mark("Options of the method's own, key=value each"),
-        0,
-    ),
-    (
-        "Continuity",
-        "App::PropertyEnumeration",
-        "Fill",
-        mark("How the new faces join: G0 position, G1 tangent, G2 curvature"),
-        0,
-    ),
-    (
-        "EdgesG0",
-        "App::PropertyLinkSubGlobal",
-        "Fill",
-        mark("Edges that are to be met in position only"),
-        0,
-    ),
-    (
-        "EdgesG1",
-        "App::PropertyLinkSubGlobal",
-        "Fill",
-        mark("Edges that are to be met tangentially"),
-        0,
-    ),
-    (
-        "EdgesG2",
-        "App::PropertyLinkSubGlobal",
-        "Fill",
-        mark("Edges that are to be met with equal curvature"),
-        0,
-    ),
-    (
-        "OneFace",
-        "App::PropertyBool",
-        "Fill",
-        mark("The chosen loops bound one face: the others are islands in the first"),
-        0,
-    ),
-    (
-        "AllLoops",
-        "App::PropertyBool",
-        "Fill",
-        mark("Fill the rims of open sheets and doubtful loops too"),
-        0,
-    ),
-    (
-        "Through",
-        "App::PropertyLinkSubListGlobal",
-        "Fill",
-        mark("Vertices and edges that the new face passes through"),
-        0,
-    ),
-    (
-        "Points",
-        "App::PropertyVectorList",
-        "Fill",
-        mark("Points that the new face passes through, seen from the placement of the base"),
-        0,
-    ),
-    (
-        "Gap",
-        "App::PropertyLength",
-        "Tolerances",
-        mark("Largest gap"),
-        0,
-    ),
-    (
-        "Angle",
-        "App::PropertyAngle",
-        "Tolerances",
-        mark("Largest angle of tangent joins"),
-        0,
-    ),
-    (
-        "Curvature",
-        "App::PropertyFloat",
-        "Tolerances",
-        mark("Largest curvature mismatch of G2 joins in percent"),
-        0,
-    ),
-    (
-        "Verdict",
-        "App::PropertyString",
-        "Result",
-        mark("What came of it"),
-        1,
-    ),
-    (
-        "Closed",
-        "App::PropertyBool",
-        "Result",
-        mark("No free edge is left"),
-        1,
-    ),
-    (
-        "WithinTolerance",
-        "App::PropertyBool",
-        "Result",
-        mark("All holes are filled and meet the tolerances"),
-        1,
-    ),
-    (
-        "NewFaces",
-        "App::PropertyIntegerList",
-        "Result",
-        mark("The numbers of the new faces"),
-        1,
-    ),
-    (
-        "Report",
-        "App::PropertyString",
-        "Result",
-        mark("The whole report of the program (JSON)"),
-        2,
-    ),
-    (
-        "InputKey",
-        "App::PropertyString",
-        "Result",
-        mark("Tells whether the shape is up to date"),
-        2,
-    ),
-]
-
+from .properties import add_properties, set_choice
 
 class FilledShape(Stateless):
     """Proxy of the object."""
 
     def __init__(self, obj):
-        _add_properties(obj)
+        add_properties(obj)
         obj.Proxy = self
 
     def onDocumentRestored(self, obj):
-        _add_properties(obj)
+        add_properties(obj)
 
     def execute(self, obj):
+        with without_traceback():
+            self._execute(obj)
+
+    def _execute(self, obj):
         request = Request.of(obj)
         if request.key() == obj.InputKey and not obj.Shape.isNull():
             _place(obj, request)
@@ -199,12 +59,14 @@ class Request:
                 translate("{} has no base: choose one in its property Base.").format(obj.Label)
             )
         base, subs = obj.Base
+        shape = places.local_shape(base)
+        now = _numbers_now(obj, shape)
         options = FillOptions(
-            _numbers(subs),
+            [now(edge) for edge in _numbers(subs)],
             method=obj.Method,
             continuity=obj.Continuity,
             sides={
-                edge: wanted
+                now(edge): wanted
                 for wanted in ("G0", "G1", "G2")
                 for edge in _edges_of(getattr(obj, "Edges" + wanted), base)
             },
@@ -216,7 +78,8 @@ class Request:
             one_face=obj.OneFace,
             all_loops=obj.AllLoops,
         )
-        return cls(base, options.with_points(places.points_through(obj.Through, base)))
+        points = places.points_through(obj.Through, base)
+        return cls(base, options.with_points(points), shape)
 
     def key(self):
         text = exchange.fingerprint(self.shape) + self.options.key()
@@ -246,12 +109,14 @@ def set_options(obj, options, through=()):
     """Writes options into the properties; the points of `through` come on top of options.points."""
     base = obj.Base[0]
     obj.Base = (base, [f"Edge{edge}" for edge in options.edges])
-    _set_choice(obj, "Method", methods(), options.method)
+    set_choice(obj, "Method", methods(), options.method)
     obj.MethodOptions = [f"{key}={value}" for key, value in options.own.items()]
     obj.Continuity = options.continuity
     for wanted in ("G0", "G1", "G2"):
         edges = [f"Edge{edge}" for edge, asked in options.sides.items() if asked == wanted]
         setattr(obj, "Edges" + wanted, (base, edges) if edges else None)
+    shape = places.local_shape(base)
+    obj.EdgeMarks = [marks.written(shape, edge) for edge in options.named_edges()]
     obj.OneFace, obj.AllLoops = options.one_face, options.all_loops
     obj.Gap, obj.Angle, obj.Curvature = options.gap, options.angle, options.curvature
     obj.Through = list(through)
@@ -264,13 +129,23 @@ def store(obj, request, filled):
     _place(obj, request)
     report = filled.report
     obj.Report = json.dumps(report.document)
-    obj.Verdict = report.verdict
+    obj.Verdict = words.fill_summary(report).replace("\n", " ")
     obj.Closed = report.closed
     obj.WithinTolerance = report.ok
     obj.NewFaces = filled.new_faces
     obj.InputKey = request.key()
     if not report.ok:
-        App.Console.PrintWarning(f"{obj.Label}: {reports.shortfall(report)}\n")
+        App.Console.PrintWarning(f"{obj.Label}: {words.shortfall(report)}\n")
+
+
+def stored(obj, request):
+    """What an object has already, as FillHoles would give it; None if a request differs from it."""
+    if obj is None or obj.InputKey != request.key() or obj.Shape.isNull():
+        return None
+    shape = exchange.without_placement(obj.Shape)
+    new = list(obj.NewFaces)
+    origins = exchange.face_origins(new, len(request.shape.Faces), len(shape.Faces))
+    return tasks.Filled(shape, reports.fill(json.loads(obj.Report)), new, origins)
 
 
 def _place(obj, request):
@@ -278,27 +153,19 @@ def _place(obj, request):
     obj.Placement = places.frame(obj).inverse().multiply(places.to_document(request.base))
 
 
-def _add_properties(obj):
-    for name, kind, group, tip, mode in _PROPERTIES:
-        if not hasattr(obj, name):
-            obj.addProperty(kind, name, group, translate(tip))
-            if name == "Method":
-                _set_choice(obj, name, methods(), "auto")
-            elif name == "Continuity":
-                _set_choice(obj, name, CONTINUITIES, "auto")
-            elif name in ("Gap", "Angle", "Curvature"):
-                setattr(obj, name, {"Gap": 0.001, "Angle": 0.01, "Curvature": 2.0}[name])
-        obj.setEditorMode(name, mode)
-
-
-def _set_choice(obj, name, choices, value):
-    setattr(obj, name, choices if value in choices else [*choices, value])
-    setattr(obj, name, value)
-
-
 def _numbers(subs):
     numbers = [element_of(sub) for sub in subs or ()]
     return [int(name[4:]) for name in numbers if name.startswith("Edge")]
+
+
+def _numbers_now(obj, shape):
+    """What an edge that the object names is called in the shape as it is now."""
+    known = dict(marks.read(text) for text in obj.EdgeMarks)
+
+    def number(edge):
+        return marks.number_at(shape, edge, known[edge]) if edge in known else edge
+
+    return number
 
 
 def _edges_of(link, base):

@@ -67,8 +67,9 @@ class FillOptions:
 class CheckOptions:
     """What `suture check` is told; a limit that is None is the profile's."""
 
-    def __init__(self, profile="catia", gap=None, angle=None, curvature=None, sharp=None, edges=()):
+    def __init__(self, profile="catia", gap=None, angle=None, curvature=None, sharp=None, edges=(), certify=False):
         self.profile = profile
+        self.certify = certify
         self.limits = {"--g0": gap, "--g1": angle, "--g2": curvature, "--sharp": sharp}
         self.edges = list(edges)
 
@@ -77,6 +78,8 @@ class CheckOptions:
         for option, limit in self.limits.items():
             if limit is not None:
                 words += [option, repr(float(limit))]
+        if self.certify:
+            words.append("--certify")
         if self.edges:
             words += ["--edges", ",".join(str(number(edge)) for edge in self.edges)]
         return words

@@ -9,6 +9,7 @@ import Part
 from . import exchange
 from .compat import element_of, translate
 from .errors import SutureError
+from .parts import is_container, kind_and_number, leaves, number_of
 
 # What is selected of one object: numbers of edges and faces, and how the 3D view names it.
 Selected = namedtuple("Selected", "obj edges faces top path")
@@ -17,17 +18,75 @@ Selected = namedtuple("Selected", "obj edges faces top path")
 def has_shape(obj):
     """Whether there is a shape with faces or edges to work on."""
     try:
-        shape = Part.getShape(obj)
-    except Exception:  # FreeCAD raises several kinds for objects that have none
+        return not shape_of(obj).isNull()
+    except SutureError:
         return False
-    return not shape.isNull()
+
+
+def has_faces(obj):
+    """Whether there is a surface to work on."""
+    try:
+        return bool(shape_of(obj).Faces)
+    except SutureError:
+        return False
 
 
 def shape_of(obj):
-    """The shape of anything that has one (features, Bodies, links), in its container."""
-    if not has_shape(obj):
+    """The shape of anything that has one (features, Bodies, links, Parts), in its container.
+
+    Of a Part, a group or a link to one it is all that is in it, shown or hidden: FreeCAD itself
+    leaves out what is hidden, and what is shown must not change what is computed.
+    """
+    try:
+        if is_container(obj):
+            shape = Part.makeCompound([shape for _, shape in leaves(obj)])
+            shape.Placement = placement_of(obj)
+            null = not shape.SubShapes
+        else:
+            shape = Part.getShape(obj)
+            null = shape.isNull()
+    except Exception:  # FreeCAD raises several kinds for objects that have none
+        null = True
+    if null:
         raise SutureError(translate("{} has no shape.").format(obj.Label))
-    return Part.getShape(obj)
+    return shape
+
+
+def exists(obj):
+    """Whether an object is still in its document."""
+    try:
+        return obj.Document.getObject(obj.Name) is obj and not getattr(obj, "Removing", False)
+    except (AttributeError, ReferenceError, RuntimeError):
+        return False
+
+
+def in_window(obj):
+    """Whether an object still has a view: while its document is being closed it has none."""
+    try:
+        return obj.ViewObject is not None
+    except (NameError, ReferenceError, RuntimeError):
+        return False
+
+
+def placement_of(obj):
+    """Where an object stands in its container."""
+    if is_container(obj):
+        return obj.Placement if hasattr(obj, "Placement") else App.Placement()
+    return shape_of(obj).Placement
+
+
+def element_in(item, top, sub):
+    """Which element ("Edge", 9) of shape_of(item.obj) a selection (top, sub) names; None: no such."""
+    leaf, path, element = resolve(top, sub)
+    kind, number = kind_and_number(element)
+    if kind not in ("Edge", "Face", "Vertex"):
+        return None
+    if leaf is item.obj:
+        return kind, number
+    if top is not item.top or not path.startswith(item.path):
+        return None
+    number = number_of(item.obj, path[len(item.path) :], kind, number)
+    return None if number is None else (kind, number)
 
 
 def local_shape(obj):
@@ -55,7 +114,7 @@ def frame(obj):
 
 def to_document(obj):
     """From the coordinates of local_shape to those of the document."""
-    return frame(obj).multiply(shape_of(obj).Placement)
+    return frame(obj).multiply(placement_of(obj))
 
 
 def shown_at(selected):
@@ -85,12 +144,12 @@ def base_of(obj):
 
 
 def selection(selected):
-    """What a selection (Gui.Selection.getSelectionEx("", 0)) holds, object by object."""
+    """What a selection (Gui.Selection.getSelectionEx("", 0)) holds that has faces, object by object."""
     found = {}
     for entry in selected:
         for sub in entry.SubElementNames or ("",):
             obj, path, element = resolve(entry.Object, sub)
-            if not has_shape(obj):
+            if not has_faces(obj):
                 continue
             key = (obj.Document.Name, obj.Name, path)
             item = found.setdefault(key, Selected(obj, [], [], entry.Object, path))

@@ -4,14 +4,15 @@
 import json
 import os
 import shutil
+import signal
 import subprocess  # nosec B404: Audited: only the program itself is run, without a shell
 from pathlib import Path
 
-from . import ADDON, settings
+from . import ADDON, install, settings
 from .compat import translate
 from .errors import ProgramMissing
 
-NAME = "suture.exe" if os.name == "nt" else "suture"
+NAME = install.NAME
 # Of FreeCAD's bundles (AppImage, conda): they make a foreign program load FreeCAD's libraries.
 _BUNDLE_VARIABLES = (
     "LD_LIBRARY_PATH",
@@ -28,6 +29,8 @@ def candidates():
     yield os.environ.get("SUTURE_EXE")
     yield ADDON / "build" / "release" / "bin" / NAME  # what ./suture has built
     yield ADDON / "bin" / NAME
+    yield install.installed()
+    yield install.in_python()
     yield _on_path()
 
 
@@ -62,20 +65,31 @@ def find(chosen=None):
 def how_to_get_it():
     script = ADDON / "suture"
     if script.is_file():
-        build = translate(
-            "Build it by running this in a terminal:\n    {} --version\n"
-            "or, if you have it, enter its path in Edit > Preferences > Suture."
+        way = translate(
+            "Build it by running this in a terminal:\n    {} --version\nor install it, or say where "
+            "it is: Edit > Preferences > Suture > Get the program."
         ).format(script)
     else:
-        build = translate(
-            "Install it (see README.md of Suture), and enter its path in Edit > Preferences > Suture."
+        way = translate(
+            "Install it, or say where it is: Edit > Preferences > Suture > Get the program."
         )
-    return translate("The program 'suture', which does the work, was not found.") + " " + build
+    return translate("The program 'suture', which does the work, was not found.") + " " + way
 
 
 def environment():
     """The environment for the program: the user's, not that of FreeCAD's bundle."""
     return {key: value for key, value in os.environ.items() if key not in _BUNDLE_VARIABLES}
+
+
+def end_children(pid):
+    """Ends what a process that has a session of its own has started."""
+    for folder in Path("/proc").glob("[0-9]*"):
+        try:
+            fields = (folder / "stat").read_text().rpartition(")")[2].split()
+            if int(fields[1]) == pid:
+                os.killpg(int(folder.name), signal.SIGTERM)
+        except (OSError, ValueError, IndexError):
+            continue  # it has just ended
 
 
 _USUAL = [{"id": name} for name in ("auto", "extend", "plane", "mvs", "occt")]
@@ -86,6 +100,11 @@ def methods():
     """The names of the fill methods of the program that is there, `auto` first; the usual ones where
     there is none."""
     return [method["id"] for method in _table()]
+
+
+def title_of(method):
+    """What the program itself says that a method does."""
+    return next((row.get("title", "") for row in _table() if row["id"] == method), "")
 
 
 def options_of(method):

@@ -5,6 +5,7 @@ import csv
 import io
 from collections import namedtuple
 
+from . import words
 from .compat import translate
 from .errors import SutureError, in_freecads_words
 
@@ -19,12 +20,30 @@ HoleFill = namedtuple(
     "HoleFill",
     "id ids status method wanted reached ok gap angle reason sides new_faces notes edges points distance",
 )
-Fill = namedtuple("Fill", "verdict holes closed valid free_edges ok document")
+Fill = namedtuple("Fill", "verdict holes closed valid free_edges ok limits document")
 
-EdgeCheck = namedtuple(
-    "EdgeCheck",
-    "edge faces kind near_miss gap gap_at angle at curvature curvature_at length measured note",
-)
+class EdgeCheck(
+    namedtuple(
+        "EdgeCheck",
+        "edge faces kind near_miss gap gap_at angle at curvature curvature_at length measured note "
+        "certificate",
+    )
+):
+    """What was measured at one edge; `certificate` (docs/json.md) if it was to be proven, else {}."""
+
+    @property
+    def proven(self):
+        return bool(self.certificate.get("certified"))
+
+    def bound_text(self, figure):
+        """The proven bound of "gap" or "angle" in words; why there is none; "" if none was asked for."""
+        if self.proven:
+            key, unit = {"gap": ("gap_bound", "mm"), "angle": ("angle_bound_deg", "°")}[figure]
+            return translate("proven: nowhere above {:.3g} {}").format(self.certificate[key], unit)
+        reason = self.certificate.get("reason", "")
+        return translate("not proven: {}").format(reason) if reason else ""
+
+
 Check = namedtuple("Check", "verdict edges limits near_misses free_edges document")
 Limits = namedtuple("Limits", "name gap angle curvature sharp")
 
@@ -119,48 +138,15 @@ def fill(document):
         bool(document["valid"]),
         int(document["free_edges"]),
         document["exit_code"] == 0,
+        document["tolerance"],
         document,
     )
-
-
-def summary(report):
-    """What came of a fill that is all that was asked for."""
-    lines = [report.verdict]
-    for hole in report.holes:
-        if hole.points and hole.distance is not None:
-            lines.append(
-                translate("Hole {} passes {} points within {:.2g} mm.").format(
-                    hole.id, hole.points, hole.distance
-                )
-            )
-    return "\n".join(lines)
-
-
-def shortfall(report):
-    """Why a fill is not all that was asked for, hole by hole."""
-    lines = [summary(report)]
-    for hole in report.holes:
-        if hole.status == "refused":
-            edges = ", ".join(f"Edge{edge}" for edge in hole.edges)
-            at = f" ({edges})" if edges else ""
-            lines.append(translate("Hole {}{} was refused: {}").format(hole.id, at, hole.reason))
-        elif hole.ok is False:
-            lines += [
-                translate("Hole {}: Edge{} has a gap of {:.3g} mm and an angle of {:.3g}°.").format(
-                    hole.id, side.edge, side.gap or 0.0, side.angle or 0.0
-                )
-                for side in hole.sides
-            ]
-    if (report.document.get("sewing") or {}).get("changed"):
-        lines.append(translate("Edge numbers are those after the loose faces were sewn."))
-    return "\n".join(lines)
 
 
 def refusal(report):
     """The error for a fill that filled nothing; it knows the edges."""
     edges = [edge for hole in report.holes if hole.status == "refused" for edge in hole.edges]
-    text = shortfall(report)
-    return SutureError(text, edges)
+    return SutureError(words.shortfall(report), edges)
 
 
 def with_edges(report, loops):
@@ -200,6 +186,7 @@ def check(document):
             entry["length"],
             entry["samples"] > 0,
             in_freecads_words(entry["note"]),
+            entry.get("certificate") or {},
         )
         for entry in document["edges"]
     ]

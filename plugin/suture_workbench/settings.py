@@ -45,6 +45,34 @@ def time_limit():
     return _group().GetInt("TimeLimit", 0)
 
 
+def stripes():
+    """How many zebra stripes there are."""
+    return _group().GetInt("Stripes", 14)
+
+
+def direction():
+    """How far the zebra stripes are turned, in degrees."""
+    return _group().GetInt("StripesDirection", 0)
+
+
+def radius():
+    """The radius of curvature (mm) that the map of curvature shows red."""
+    return _group().GetFloat("CurvatureRadius", 5.0)
+
+
+def save_shading(stripes, direction, radius):
+    """Keeps the sliders of zebra and curvature."""
+    group = _group()
+    group.SetInt("Stripes", stripes)
+    group.SetInt("StripesDirection", direction)
+    group.SetFloat("CurvatureRadius", radius)
+
+
+def save_program(path):
+    """Keeps where the program is; "" for the usual places."""
+    _group().SetString("Program", str(path))
+
+
 def save(program, gap, angle, curvature, method, preview, time_limit):
     """Keeps what the page shows."""
     group = _group()

@@ -51,6 +51,9 @@ class Task:
             raise self._error
         return self
 
+    def started(self):
+        return self._job is not None or self._finished
+
     def running(self):
         if self._finished:
             return False

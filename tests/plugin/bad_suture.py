@@ -3,7 +3,7 @@
 
 Everything but `fill` goes to the real program, SUTURE_PROGRAM. SUTURE_BEHAVIOUR says what `fill`
 does: slow (takes a minute, and leaves a child behind that ignores SIGTERM, as it does itself),
-crash, garbage (no JSON), damaged (an output that is cut short), empty (JSON without its keys). With
+crash, count (a line in SUTURE_RUNS for each fill, then as the real one), garbage (no JSON), damaged (an output that is cut short), empty (JSON without its keys). With
 `options` mvs has an option `bend`, of which the real program knows nothing; 0.5 is all it takes.
 """
 
@@ -40,6 +40,14 @@ def damaged():
     sys.exit(done.returncode)
 
 
+def count():
+    """Writes a line for each fill, waits a moment, and lets the real program do it."""
+    with open(os.environ["SUTURE_RUNS"], "a", encoding="ascii") as file:
+        file.write("fill\n")
+    time.sleep(1.0)
+    os.execv(PROGRAM, [PROGRAM, *sys.argv[1:]])
+
+
 def options():
     words = sys.argv[1:]
     if words[0] == "methods":
@@ -66,7 +74,9 @@ def main():
         return
     if sys.argv[1] != "fill":
         os.execv(PROGRAM, [PROGRAM, *sys.argv[1:]])
-    if behaviour == "slow":
+    if behaviour == "count":
+        count()
+    elif behaviour == "slow":
         slow()
     elif behaviour == "crash":
         os.kill(os.getpid(), signal.SIGSEGV)

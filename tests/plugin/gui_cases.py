@@ -15,16 +15,18 @@ def failures(driver):
     yield driver.pause(0.5)
     yield from driver.tool("Suture_Fill")
     yield driver.until("the panel", lambda: driver.there("SutureMethod"))
-    driver.find("SutureMethod", QtGui.QComboBox).setCurrentText("extend")
+    driver.choose("SutureMethod", "extend")
     yield driver.until("the refusal", lambda: "refused" in driver.status())
+    driver.said["way_on_unasked"] = driver.there("SutureWayOn")
     driver.said["refusal"] = driver.status()
     driver.said["selected"] = list(Gui.Selection.getSelectionEx()[0].SubElementNames)
     yield driver.pause(0.3)
     driver.picture("refused")
     App.ParamGet("User parameter:BaseApp/Preferences/Mod/Suture").SetString("Program", "/no/suture")
-    driver.find("SutureMethod", QtGui.QComboBox).setCurrentText("mvs")
+    driver.choose("SutureMethod", "mvs")
     yield driver.until("the sentence", lambda: "There is no program" in driver.status())
     driver.said["missing"] = driver.status()
+    driver.said["way_on"] = driver.there("SutureWayOn")
     driver.press(OK)
     yield driver.until("the box", lambda: driver.there("SutureFailure"))
     driver.said["box"] = driver.find("SutureFailure", QtGui.QMessageBox).text()
@@ -56,8 +58,8 @@ def edit(driver):
     yield driver.preview()
     combo = driver.find("SutureSide9", QtGui.QComboBox)
     combo.setCurrentText("G0")
-    yield driver.until("a new preview", lambda: "within" not in driver.status())
-    yield driver.until("its end", lambda: "within" in driver.status())
+    yield driver.until("a new preview", lambda: not driver.settled())
+    yield driver.preview()
     driver.press(OK)
     yield driver.until("the panel to close", lambda: not driver.dialog_open())
     driver.said["sides"] = list(filled.EdgesG0[1])
@@ -90,7 +92,7 @@ def files(driver):
     driver.said["not_found"] = driver.find("SutureProgramFound", QtGui.QLabel).text()
     path.setText(os.environ["SUTURE_EXE"])
     page = driver.find("SuturePreferences")
-    page.findChildren(QtGui.QComboBox)[0].setCurrentText("mvs")
+    driver.find("SutureDefaultMethod", QtGui.QComboBox).setCurrentText("mvs")
     driver.press(OK, page.window())
     yield driver.until("the preferences to close", lambda: not driver.there("SuturePreferences"))
     from suture_workbench import settings
@@ -168,7 +170,9 @@ def through(driver):
     Gui.Selection.addSelection(obj)
     yield from driver.tool("Suture_Fill")
     yield driver.until("the preview", lambda: done(driver))
-    driver.find("SutureMethod", QtGui.QComboBox).setCurrentText("mvs")
+    driver.choose("SutureMethod", "mvs")
+    driver.unfold("SutureMore")
+    yield driver.until("the list", lambda: driver.there("SutureAddThrough"))
     Gui.Selection.clearSelection()
     Gui.Selection.addSelection(document.Name, "Probe", "Vertex1")
     driver.click(driver.find("SutureAddThrough"))
@@ -198,9 +202,7 @@ def near_misses(driver):
     yield from driver.tool("Suture_Check")
     yield driver.until("one edge", lambda: table(driver) and table(driver).topLevelItemCount() == 1)
     driver.said["one"] = table(driver).topLevelItemCount()
-    driver.click(
-        [b for b in driver.find("CheckPanel").findChildren(QtGui.QCheckBox) if b.isEnabled()][0]
-    )
+    driver.click(driver.find("SutureSelectedOnly", QtGui.QCheckBox))
     yield driver.until("all edges", lambda: table(driver).topLevelItemCount() == 21)
     row = table(driver).topLevelItem(0)
     driver.said["first"] = [row.text(0), row.text(1)]
@@ -210,37 +212,28 @@ def near_misses(driver):
     driver.said["selected"] = list(Gui.Selection.getSelectionEx()[0].SubElementNames)
     yield driver.pause(0.5)
     driver.picture("near_misses")
-    profile = driver.find("SutureProfile", QtGui.QComboBox)
-    profile.setCurrentIndex(profile.count() - 1)
+    driver.choose("SutureProfile", "own")
     yield driver.until("the same again", lambda: table(driver).topLevelItemCount() == 21)
     boxes = driver.find("CheckPanel").findChildren(QtGui.QDoubleSpinBox)
     boxes[0].setValue(1.0)
     boxes[1].setValue(2.0)
-    yield driver.until("the loose limits", lambda: "all of 21 edges pass" in driver.status())
+    yield driver.until("the loose limits", lambda: driver.state() == "good")
     driver.said["loose"] = legend(driver)
 
 
 def overlays(driver):
-    """The commands for stripes and combs show and hide; a changed shape loses its drawings."""
+    """The command for combs shows and hides them; a changed shape loses its drawings."""
     document, obj = open_example(driver)
     yield driver.pause(0.5)
     Gui.Selection.addSelection(document.Name, obj.Name, "Edge1")
-    counts = driver.said["counts"] = []
-    for command in ("Suture_Zebra", "Suture_Combs", "Suture_Zebra"):
-        counts.append(drawn())
-        yield from driver.tool(command)
-        yield driver.until("the drawing", lambda: drawn() != counts[-1])
+    counts = driver.said["counts"] = [driver.drawn()]
+    for _ in range(3):
+        yield from driver.tool("Suture_Combs")
+        yield driver.until("the drawing", lambda: driver.drawn() != counts[-1])
+        counts.append(driver.drawn())
         yield driver.pause(0.3)
-    counts.append(drawn())
     obj.Placement = App.Placement(App.Vector(1, 0, 0), App.Rotation())
-    counts.append(drawn())
-
-
-def drawn():
-    """How many layers of ours the view has."""
-    scene = Gui.ActiveDocument.ActiveView.getSceneGraph()
-    names = [scene.getChild(index).getName().getString() for index in range(scene.getNumChildren())]
-    return names.count("SutureOverlay")
+    counts.append(driver.drawn())
 
 
 def table(driver):
@@ -259,7 +252,8 @@ def own_option(driver):
     yield from driver.tool("Suture_Fill")
     yield driver.until("the preview", lambda: done(driver))
     driver.said["before"] = driver.there("SutureOption_bend")
-    driver.find("SutureMethod", QtGui.QComboBox).setCurrentText("mvs")
+    driver.choose("SutureMethod", "mvs")
+    driver.unfold("SutureMore")
     yield driver.until("the line", lambda: driver.there("SutureOption_bend"))
     line = driver.find("SutureOption_bend", QtGui.QLineEdit)
     driver.said["tip"] = line.toolTip()
@@ -274,7 +268,7 @@ def own_option(driver):
 
 
 def done(driver):
-    return driver.there("SutureStatus") and "filled" in driver.status()
+    return driver.there("SutureSides") and driver.settled()
 
 
 def german(driver):
@@ -286,7 +280,7 @@ def german(driver):
     driver.said["button"] = [a.text() for a in actions if a.objectName() == "Suture_FindHoles"][0]
     yield from driver.tool("Suture_Fill")
     yield driver.until("the hole", lambda: driver.there("SutureHoles") and rows(driver))
-    driver.said["row"] = [rows(driver)[0].text(column) for column in range(3)]
+    driver.said["row"] = [rows(driver)[0].text(column) for column in range(2)]
     boxes = driver.find("FillPanel").findChildren(QtGui.QDoubleSpinBox)
     driver.said["gap"] = boxes[0].text()
     driver.picture("german")

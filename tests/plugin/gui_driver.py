@@ -7,6 +7,7 @@ SUTURE_OUT is the folder for its pictures and for result.json: {"error": text or
 import importlib
 import json
 import os
+import re
 import sys
 import time
 import traceback
@@ -33,6 +34,7 @@ class Driver:
         self.window = Gui.getMainWindow()
         self.ticks = 0
         self.said = {}
+        self.out = OUT
 
     # -- waiting
 
@@ -44,7 +46,12 @@ class Driver:
         return self.until("a pause", lambda: time.monotonic() >= end, seconds + 30)
 
     def preview(self):
-        return self.until("the preview", lambda: self.there("SutureStatus") and "within" in self.status())
+        """A preview that has come, good or bad."""
+        return self.until("the preview", lambda: self.there("SutureSides") and self.settled())
+
+    def settled(self):
+        """Whether the panel has found out what it runs the program for."""
+        return self.there("SutureStatus") and self.state() in ("good", "bad")
 
     # -- widgets
 
@@ -57,6 +64,23 @@ class Driver:
 
     def there(self, name):
         return any(w.isVisible() for w in self.window.findChildren(QtGui.QWidget, name))
+
+    def state(self):
+        return self.find("SutureStatus").property("state")
+
+    def choose(self, combo, key):
+        """Chooses an entry of a combo box by its key."""
+        box = self.find(combo, QtGui.QComboBox)
+        index = box.findData(key)
+        if index < 0:
+            raise AssertionError(f"{combo} has no {key}")
+        box.setCurrentIndex(index)
+
+    def unfold(self, name):
+        """Opens a part of the panel that is folded away."""
+        button = self.find(name, QtGui.QToolButton)
+        if not button.isChecked():
+            self.click(button)
 
     def status(self):
         return self.find("SutureStatus").text()
@@ -139,6 +163,35 @@ class Driver:
         event = QtGui.QKeyEvent(QtCore.QEvent.KeyPress, key, QtCore.Qt.NoModifier)
         QtGui.QApplication.postEvent(line, event)
 
+    def key(self, widget, key):
+        """Presses and releases a key over a widget."""
+        for kind in (QtCore.QEvent.KeyPress, QtCore.QEvent.KeyRelease):
+            QtGui.QApplication.postEvent(widget, QtGui.QKeyEvent(kind, key, QtCore.Qt.NoModifier))
+
+    def view_widget(self):
+        """The widget of the 3D view."""
+        return [w for w in self.window.findChildren(QtGui.QGraphicsView) if w.isVisible()][-1]
+
+    def drawn(self):
+        """How many layers of ours the view has."""
+        scene = Gui.ActiveDocument.ActiveView.getSceneGraph()
+        nodes = (scene.getChild(index) for index in range(scene.getNumChildren()))
+        return [node.getName().getString() for node in nodes].count("SutureOverlay")
+
+    def panel_width(self, pixels):
+        """Makes the task panel as wide as FreeCAD does by default."""
+        docks = [d for d in self.window.findChildren(QtGui.QDockWidget) if d.isVisible()]
+        for dock in docks:
+            if dock.objectName() in ("Combo View", "Tasks", "Model", "Tree view"):
+                self.window.resizeDocks([dock], [pixels], QtCore.Qt.Horizontal)
+
+    def python_errors(self):
+        """What the report view has of Python's errors."""
+        views = self.window.findChildren(QtGui.QTextEdit)
+        text = "\n".join(v.toPlainText() for v in views if v.objectName() == "Report view")
+        text = re.sub(r"<class 'suture_workbench\.errors\.\w+'>", "", text)  # a sentence for the user
+        return re.findall(r"(?m)^.*(?:Traceback \(most|\b\w+(?:Error|Exception)\b).*$", text)
+
     def later(self, action):
         """Does something that opens a dialog of its own: this function returns before it is closed."""
         QtCore.QTimer.singleShot(0, action)
@@ -162,8 +215,7 @@ class Driver:
         """Moves to an element near a point of the model until FreeCAD names it, then clicks."""
         view = Gui.ActiveDocument.ActiveView
         x0, y0 = view.getPointOnScreen(App.Vector(*point))
-        shown = [w for w in self.window.findChildren(QtGui.QGraphicsView) if w.isVisible()]
-        viewport = shown[-1].viewport()
+        viewport = self.view_widget().viewport()
         around = sorted(
             ((dx, dy) for dx in range(-9, 10) for dy in range(-9, 10)),
             key=lambda d: d[0] ** 2 + d[1] ** 2,
@@ -195,11 +247,12 @@ def tidy(driver):
     for dock in driver.window.findChildren(QtGui.QDockWidget):
         if dock.objectName() in ("Python console", "Report view"):
             dock.hide()
-        if dock.objectName() == "Combo View":
-            driver.window.resizeDocks([dock], [440], QtCore.Qt.Horizontal)
+    driver.panel_width(440)
 
 
 def finish(driver, error):
+    if not error and driver.python_errors():
+        error = "Python errors in the report view:\n" + "\n".join(driver.python_errors())
     result = {"error": error, "said": driver.said}
     (OUT / "result.json").write_text(json.dumps(result, indent=1), encoding="utf-8")
     sys.stdout.flush()
@@ -209,8 +262,11 @@ def finish(driver, error):
 def main():
     sys.path.insert(0, str(ROOT / "tests/plugin"))
     module, function = os.environ["SUTURE_SCENARIO"].split(".")
-    scenario = getattr(importlib.import_module(module), function)
     driver = Driver()
+    try:
+        scenario = getattr(importlib.import_module(module), function)
+    except BaseException:
+        finish(driver, traceback.format_exc())
     tidy(driver)
     steps = scenario(driver)
     waiting = [None]

@@ -26,7 +26,7 @@ def walk(driver):
     )
     tree = driver.find("SutureHoles", QtGui.QTreeWidget)
     row = tree.topLevelItem(0).child(0)
-    driver.said["row"] = [row.text(column) for column in range(5)]
+    driver.said["row"] = [row.text(column) for column in range(4)]
     driver.click_row(tree, row, 1)
     yield driver.until("the edges", lambda: bool(Gui.Selection.getSelectionEx()))
     driver.said["selected"] = list(Gui.Selection.getSelectionEx()[0].SubElementNames)
@@ -35,9 +35,9 @@ def walk(driver):
 
     driver.click(driver.find("SutureFillTicked"))
     yield driver.until("the fill panel", lambda: driver.there("SutureMethod"))
-    method = driver.find("SutureMethod", QtGui.QComboBox)
-    method.setCurrentText("mvs")
-    yield driver.until("the preview", lambda: "within" in driver.status())
+    driver.choose("SutureMethod", "mvs")
+    yield driver.pause(0.5)
+    yield driver.preview()
     Gui.Selection.clearSelection()
     yield driver.pause(0.5)
     driver.said["preview"] = driver.status()
@@ -57,7 +57,7 @@ def walk(driver):
     Gui.Selection.addSelection(filled)
     yield from driver.tool("Suture_Check")
     yield driver.until(
-        "the check", lambda: driver.there("SutureEdges") and "pass" in driver.status()
+        "the check", lambda: driver.there("SutureEdges") and driver.settled()
     )
     driver.said["check"] = driver.status()
     table = driver.find("SutureEdges", QtGui.QTreeWidget)
@@ -71,9 +71,10 @@ def walk(driver):
     driver.picture("6_combs")
     driver.click(driver.find("SutureCombsBox"))
     yield driver.pause(0.3)
-    driver.click(driver.find("SutureZebraBox"))
+    driver.unfold("SutureSurface")
+    yield driver.until("the shading", lambda: driver.there("SutureShading"))
+    driver.choose("SutureShading", "zebra")
     yield driver.pause(0.5)
-    driver.said["zebra"] = driver.find("SutureZebraBox").isChecked()
     driver.look(1.1, 0.9, 0.8)
     yield driver.pause(0.7)
     driver.picture("7_zebra")

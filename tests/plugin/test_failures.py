@@ -30,7 +30,7 @@ class Failures(Case):
         with mock.patch.dict(os.environ, {"SUTURE_EXE": "/no", "PATH": str(addon)}):
             with mock.patch.object(program, "ADDON", addon):
                 text = str(self.assert_unharmed(self.add(example()), ProgramMissing))
-                self.assertIn("README.md", text)
+                self.assertIn("Get the program", text)
                 self.assertIn("Preferences", text)
                 (addon / "suture").touch(mode=0o755)  # the script that builds it: not to be run
                 self.assertRaises(ProgramMissing, program.find)

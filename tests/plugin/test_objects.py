@@ -10,7 +10,7 @@ from headless import CORNER, PROGRAM, TURNED, Case, example  # first: it makes F
 
 import FreeCAD as App  # noqa: E402
 import Part  # noqa: E402
-from suture_workbench import api, places  # noqa: E402
+from suture_workbench import api, parts, places  # noqa: E402
 
 
 class Objects(Case):
@@ -124,6 +124,89 @@ class Objects(Case):
             for point in (App.Vector(), App.Vector(1, 0, 0), App.Vector(0, 1, 0)):
                 apart = places.shown_at(found).multVec(point) - wanted.multVec(point)
                 self.assertLess(apart.Length, 1e-9, top.Name)
+
+    def group_of_two(self, kind):
+        """A container with two open corners."""
+        container = self.document.addObject(kind, "Container")
+        members = [self.add(example(), name) for name in ("First", "Second")]
+        members[1].Placement = App.Placement(App.Vector(40, 0, 0), App.Rotation(0, 0, 90))
+        if kind == "App::LinkGroup":
+            container.ElementList = members
+        else:
+            for part in members:
+                container.addObject(part)
+        container.Placement = TURNED
+        self.document.recompute()
+        return container, members
+
+    def test_what_is_shown_does_not_change_what_is_computed(self):
+        for kind in ("App::Part", "App::LinkGroup"):
+            container, members = self.group_of_two(kind)
+            link = self.document.addObject("App::Link", "LinkToIt")
+            link.LinkedObject = container
+            self.document.recompute()
+            before = places.local_shape(container).exportBrepToString()
+            linked = places.local_shape(link).exportBrepToString()
+            filled = api.fill(container, method="mvs")
+            self.assertEqual((len(filled.Shape.Solids), filled.Closed), (2, True), kind)
+            for hidden in (*members, container):
+                hidden.Visibility = False
+                self.assertEqual(places.local_shape(container).exportBrepToString(), before, kind)
+                self.assertEqual(places.local_shape(link).exportBrepToString(), linked, kind)
+                filled.touch()
+                self.document.recompute()
+                self.assertEqual((filled.State, len(filled.Shape.Solids)), (["Up-to-date"], 2))
+            wanted = container.Placement.multiply(members[1].Placement)
+            there = wanted.multVec(example().Faces[4].CenterOfMass)
+            count = len(example().Faces)
+            found = filled.Shape.Faces[count + 1 + 4].CenterOfMass
+            self.assertLess((found - there).Length, 1e-7, kind)
+
+    def test_elements_of_a_container_are_named_through_its_parts(self):
+        for kind in ("App::Part", "App::LinkGroup"):
+            container, members = self.group_of_two(kind)
+            edges = len(example().Edges)
+            path = f"{members[1].Name}."
+            name = parts.element_path(container, "Edge", edges + 9)
+            self.assertEqual(name, path + "Edge9")
+            self.assertEqual(parts.number_of(container, path, "Edge", 9), edges + 9)
+            item = places.Selected(container, [], [], container, "")
+            self.assertEqual(places.element_in(item, container, name), ("Edge", edges + 9))
+            ours = places.shape_of(container).Edges[edges + 8].CenterOfMass
+            theirs = container.getSubObject(name).CenterOfMass
+            self.assertLess((ours - theirs).Length, 1e-9)
+
+    def test_what_another_part_was_made_from_does_not_count(self):
+        part = self.document.addObject("App::Part", "Part")
+        box, tool = (self.document.addObject("Part::Box", name) for name in ("Box", "Tool"))
+        tool.Length = 3
+        cut = self.document.addObject("Part::Cut", "Cut")
+        cut.Base, cut.Tool = box, tool
+        standing = self.document.addObject("Part::Box", "Standing")
+        support = "AttachmentSupport" if hasattr(standing, "AttachmentSupport") else "Support"
+        if not hasattr(standing, support):
+            standing.addExtension("Part::AttachExtensionPython")
+        setattr(standing, support, (cut, ["Face1"]))
+        for obj in (box, tool, cut, standing):
+            part.addObject(obj)
+        self.document.recompute()
+        found = sorted(path for path, _ in parts.leaves(part))
+        self.assertEqual(found, ["Cut.", "Standing."])
+
+    def test_a_hole_is_known_by_its_place_when_numbers_change(self):
+        corner, other = example(), Part.makeBox(3, 4, 5).translated(App.Vector(60, 0, 0))
+        base = self.add(Part.makeCompound([other, corner]))
+        shift = len(other.Edges)
+        filled = api.fill(base, edges=[shift + 9], sides={shift + 19: "G0"}, method="mvs")
+        base.Shape = Part.makeCompound([corner, other])
+        self.document.recompute()
+        self.assertEqual((filled.State, len(filled.Shape.Solids)), (["Up-to-date"], 2))
+        from suture_workbench import feature
+
+        options = feature.Request.of(filled).options
+        self.assertEqual((options.edges, options.sides), ([9], {19: "G0"}))
+        filled.Base = (base, ["Edge19"])  # the user's own choice counts as it is
+        self.assertEqual(feature.Request.of(filled).options.edges, [19])
 
     def test_the_result_is_one_step_of_undo(self):
         self.document.UndoMode = 1

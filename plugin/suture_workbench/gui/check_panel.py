@@ -6,46 +6,21 @@ from pathlib import Path
 
 import FreeCADGui as Gui
 
-from .. import RESOURCES, meshes, places, reports, settings, tasks
-from ..compat import QtCore, QtGui, QtWidgets, translate
+from .. import RESOURCES, meshes, places, readout, reports, tasks, words
+from ..compat import QtCore, QtWidgets, translate
 from ..errors import SutureError
 from ..options import PROFILES, CheckOptions
-from . import failures, overlay, pick, reflection
+from . import camera, failures, overlay, pick, reflection
+from .choice import Choice
+from .edges_table import COLORS, EdgesTable, class_name, class_of, swatch
+from .panel import Panel, put
 from .progress import Watcher, run_with_dialog
-from .widgets import Panel, Status, heading, number_box
+from .surface_box import SurfaceBox
+from .widgets import Status, limit_boxes, number_box, show_heading
 
-_COLORS = {
-    "miss": (0.90, 0.10, 0.10),
-    "unmeasured": (0.80, 0.10, 0.80),
-    "free": (1.00, 0.55, 0.00),
-    "G1": (0.10, 0.65, 0.20),
-    "G2": (0.10, 0.40, 0.95),
-    "G3": (0.05, 0.20, 0.60),
-    "sharp": (0.45, 0.45, 0.50),
-}
-_MARK = (1.0, 0.0, 0.6)
 _ROLE = QtCore.Qt.UserRole
-
-
-def class_name(key):
-    return {
-        "miss": translate("near miss"),
-        "unmeasured": translate("not measured"),
-        "free": translate("free edge"),
-        "G1": translate("G1 tangent"),
-        "G2": translate("G2 curvature"),
-        "G3": translate("G3 change of curvature"),
-        "sharp": translate("sharp"),
-    }[key]
-
-
-def class_of(edge):
-    """What an edge counts as: a key of _COLORS."""
-    if not edge.measured:
-        return "unmeasured"
-    if edge.near_miss:
-        return "miss"
-    return "miss" if edge.kind == "G0" else edge.kind
+_MARK = (1.0, 0.0, 0.6)
+_OWN = "own"
 
 
 class CheckPanel(Panel):
@@ -55,7 +30,7 @@ class CheckPanel(Panel):
 
     def __init__(self, item):
         self.title = translate("Check continuity")
-        super().__init__()
+        super().__init__("check")
         self.item = item
         self.shape = places.local_shape(item.obj)
         self.placement = places.shown_at(item)
@@ -71,94 +46,65 @@ class CheckPanel(Panel):
         self.measure()
 
     def _build(self):
-        self.profile = QtWidgets.QComboBox()
-        self.profile.setObjectName("SutureProfile")
-        self.profile.addItems([*PROFILES, translate("own limits")])
-        self.limits = [
-            number_box(settings.gap(), "mm", translate("Largest gap between two faces")),
-            number_box(settings.angle(), "°", translate("Largest angle of a tangent edge")),
-            number_box(
-                settings.curvature(), "%", translate("Largest curvature mismatch of a G2 edge")
-            ),
-            number_box(5.0, "°", translate("From this angle on an edge is meant to be sharp")),
-        ]
-        row = QtWidgets.QGridLayout()
-        for index, box in enumerate(self.limits):
+        show_heading(self.child("SutureHeading"), self.item.obj.Label)
+        self.profile = Choice(
+            self.form,
+            "SutureProfile",
+            "SutureProfileExplained",
+            [*PROFILES, _OWN],
+            name=lambda key: translate("own limits") if key == _OWN else key,
+            text=words.profile_text,
+        )
+        self.limits = limit_boxes(self.form)
+        tip = translate("From this angle on an edge is meant to be sharp")
+        self.limits.append(put(self.form, "sharpPlace", number_box(5.0, "°", tip)))
+        for box in self.limits:
             box.setEnabled(False)
             box.valueChanged.connect(self._limit_changed)
-            row.addWidget(box, index // 2, index % 2)
-        self.only = QtWidgets.QCheckBox(translate("Selected edges only"))
-        self.only.setChecked(bool(self.item.edges))
-        self.only.setEnabled(bool(self.item.edges))
-        self.table = QtWidgets.QTreeWidget()
-        self.table.setObjectName("SutureEdges")
-        self.table.setRootIsDecorated(False)
-        self.table.setHeaderLabels(
-            [
-                translate("Edge"),
-                translate("Class"),
-                translate("Gap"),
-                translate("Angle"),
-                translate("Curvature"),
-                translate("Faces"),
-            ]
-        )
-        self.table.setMinimumHeight(200)
+        self.child("SutureSelectedOnly").setChecked(bool(self.item.edges))
+        self.child("SutureSelectedOnly").setEnabled(bool(self.item.edges))
+        self.status = put(self.form, "statusPlace", Status(self._watcher.cancel))
+        self.table = put(self.form, "tablePlace", EdgesTable())
         self.table.itemSelectionChanged.connect(self._show_worst)
-        self.legend = QtWidgets.QListWidget()
-        self.legend.setObjectName("SutureLegend")
-        self.legend.setMaximumHeight(80)
-        self.legend.itemChanged.connect(self._tick_class)
-        self.zebra = QtWidgets.QCheckBox(translate("Zebra stripes"))
-        self.zebra.setObjectName("SutureZebraBox")
-        self.combs = QtWidgets.QCheckBox(translate("Curvature combs at the chosen edge"))
-        self.combs.setObjectName("SutureCombsBox")
-        self.save = QtWidgets.QPushButton(translate("Export report…"))
-        self.save.setObjectName("SutureExportReport")
-        self.save.setEnabled(False)
-        self.status = Status(self._watcher.cancel)
-        form = QtWidgets.QFormLayout()
-        form.addRow(translate("Profile"), self.profile)
-        self.layout.addWidget(heading(self.item.obj.Label))
-        self.layout.addLayout(form)
-        self.layout.addLayout(row)
-        for widget in (
-            self.only,
-            self.table,
-            self.status,
-            self.legend,
-            self.zebra,
-            self.combs,
-            self.save,
-        ):
-            self.layout.addWidget(widget)
-        self.profile.currentIndexChanged.connect(self._profile_changed)
-        self.only.toggled.connect(self.measure)
-        self.zebra.toggled.connect(self._draw_extra)
-        self.combs.toggled.connect(self._draw_extra)
-        self.save.clicked.connect(self._ask_and_save)
+        self._legend_list().itemChanged.connect(self._tick_class)
+        self.surface = put(self.form, "surfacePlace", SurfaceBox([self.item.obj]))
+        self.surface.setVisible(False)
+        self.child("SutureSurface").toggled.connect(self.surface.setVisible)
+        self.child("SutureExportReport").setEnabled(False)
+        self.profile.changed.connect(self._profile_changed)
+        self.child("SutureSelectedOnly").toggled.connect(self.measure)
+        self.child("SutureCertify").toggled.connect(self.measure)
+        self.child("SutureCombsBox").toggled.connect(self._draw_extra)
+        self.child("SutureExportReport").clicked.connect(self._ask_and_save)
+
+    def _legend_list(self):
+        return self.child("SutureLegend", QtWidgets.QListWidget)
 
     # -- measuring
 
     def options(self):
         """CheckOptions as the panel stands."""
-        edges = self.item.edges if self.only.isChecked() else []
-        if self.profile.currentIndex() < len(PROFILES):
-            return CheckOptions(self.profile.currentText(), edges=edges)
+        edges = self.item.edges if self.child("SutureSelectedOnly").isChecked() else []
+        proven = self.child("SutureCertify").isChecked()
+        if self.profile.key() != _OWN:
+            return CheckOptions(self.profile.key(), edges=edges, certify=proven)
         values = [box.value() for box in self.limits]
-        return CheckOptions("catia", *values, edges=edges)
+        return CheckOptions("catia", *values, edges=edges, certify=proven)
 
     def measure(self, *_):
         self._clear()
         self._watcher.start(tasks.CheckContinuity(self.shape, self.options()))
 
-    def _profile_changed(self, index):
+    def _profile_changed(self, *_):
+        own = self.profile.key() == _OWN
         for box in self.limits:
-            box.setEnabled(index >= len(PROFILES))
+            box.setEnabled(own)
+        if own:
+            self.child("SutureLimits").setChecked(True)
         self.measure()
 
     def _limit_changed(self, *_):
-        if self.profile.currentIndex() >= len(PROFILES):
+        if self.profile.key() == _OWN:
             self.measure()
 
     def _advance(self, fraction, stage):
@@ -177,41 +123,26 @@ class CheckPanel(Panel):
             box.blockSignals(True)
             box.setValue(value)
             box.blockSignals(False)
-        for edge in self.report.edges:
-            self._add(edge)
-        for column in range(6):
-            self.table.resizeColumnToContents(column)
-        if self.report.near_misses or any(not edge.measured for edge in self.report.edges):
-            self.status.bad(self.report.verdict)
-        else:
-            self.status.good(self.report.verdict)
-        self.save.setEnabled(True)
+        self.table.show(self.report.edges)
+        text, well = words.check_summary(self.report)
+        (self.status.good if well else self.status.bad)(text)
+        self.child("SutureExportReport").setEnabled(True)
         self._show_legend()
         self._draw()
 
     # -- the table
 
-    def _add(self, edge):
-        kind = class_of(edge)
-        row = QtWidgets.QTreeWidgetItem(
-            [
-                f"Edge{edge.edge}",
-                class_name(kind),
-                _number(edge.gap, "mm"),
-                _number(edge.angle, "°"),
-                _number(None if edge.curvature is None else 100 * edge.curvature, "%"),
-                ", ".join(f"Face{face}" for face in edge.faces),
-            ]
-        )
-        row.setForeground(1, QtGui.QColor.fromRgbF(*_COLORS[kind]))
-        row.setData(0, _ROLE, edge)
-        if edge.note:
-            row.setToolTip(0, edge.note)
-        self.table.addTopLevelItem(row)
+    def picked(self, kind, number, point):
+        """Reads off what is where the user has clicked, and shows the edge's row."""
+        if self.measured is not self.shape:
+            return  # the table's numbers are those of the sewn shape
+        local = self.placement.inverse().multVec(point)
+        self.child("SutureReadout").setText(readout.text(self.shape, kind, number, local))
+        if kind == "Edge":
+            self.table.show_edge(number)
 
     def chosen(self):
-        rows = self.table.selectedItems()
-        return rows[0].data(0, _ROLE) if rows else None
+        return self.table.chosen()
 
     def _show_worst(self):
         edge = self.chosen()
@@ -223,14 +154,19 @@ class CheckPanel(Panel):
         point = reports.worst_point(edge, self.report.limits)
         if point:
             self._mark.markers([point], _MARK)
-            pick.look_at([point], self.placement, max(edge.length / 6, 1e-3))
+            camera.look_at(
+                [point],
+                self.placement,
+                max(edge.length / 6, 1e-3),
+                readout.outward(self.measured, edge.edge, point),
+            )
         self._draw_extra()
 
     # -- drawing
 
     def _clear(self):
         self.table.clear()
-        self.legend.clear()
+        self._legend_list().clear()
         for layer in (self._lines, self._mark, self._legend):
             layer.clear()
 
@@ -240,7 +176,7 @@ class CheckPanel(Panel):
             groups.setdefault(class_of(edge), []).append(edge.edge)
         if self.report.free_edges:
             groups["free"] = self.report.free_edges
-        return {key: groups[key] for key in _COLORS if key in groups}
+        return {key: groups[key] for key in COLORS if key in groups}
 
     def _draw(self):
         deflection = meshes.fineness(self.measured)
@@ -248,24 +184,23 @@ class CheckPanel(Panel):
         self._legend.clear()
         rows = []
         for key, numbers in self._groups().items():
-            rows.append((f"{class_name(key)}: {len(numbers)}", _COLORS[key]))
+            rows.append((f"{class_name(key)}: {len(numbers)}", COLORS[key]))
             if key not in self._hidden:
                 edges = (self.measured.Edges[number - 1] for number in numbers)
                 lines = [meshes.outline(edge, deflection) for edge in edges if not edge.Degenerated]
-                self._lines.lines(lines, _COLORS[key], 2.5 if key == "sharp" else 5.0)
+                self._lines.lines(lines, COLORS[key], 2.5 if key == "sharp" else 5.0)
         self._legend.legend(rows)
 
     def _show_legend(self):
-        self.legend.blockSignals(True)
+        legend = self._legend_list()
+        legend.blockSignals(True)
         for key, numbers in self._groups().items():
             entry = QtWidgets.QListWidgetItem(f"{class_name(key)}: {len(numbers)}")
-            swatch = QtGui.QPixmap(14, 14)
-            swatch.fill(QtGui.QColor.fromRgbF(*_COLORS[key]))
-            entry.setIcon(QtGui.QIcon(swatch))
+            entry.setIcon(swatch(key))
             entry.setData(_ROLE, key)
             entry.setCheckState(QtCore.Qt.Unchecked if key in self._hidden else QtCore.Qt.Checked)
-            self.legend.addItem(entry)
-        self.legend.blockSignals(False)
+            legend.addItem(entry)
+        legend.blockSignals(False)
 
     def _tick_class(self, entry):
         change = (
@@ -276,10 +211,8 @@ class CheckPanel(Panel):
 
     def _draw_extra(self, *_):
         self._extra.clear()
-        if self.zebra.isChecked():
-            reflection.zebra_nodes(self._extra, self.measured or self.shape)
         edge = self.chosen()
-        if self.combs.isChecked() and edge is not None:
+        if self.child("SutureCombsBox").isChecked() and edge is not None:
             reflection.comb_nodes(self._extra, self.measured, [edge.edge])
 
     # -- the report
@@ -313,9 +246,7 @@ class CheckPanel(Panel):
 
     def leave(self):
         self._watcher.cancel()
+        self.surface.leave()
         for layer in (self._lines, self._extra, self._mark, self._legend):
             layer.close()
 
-
-def _number(value, unit):
-    return "" if value is None else f"{value:.3g} {unit}"

@@ -5,10 +5,11 @@ import FreeCAD as App
 import FreeCADGui as Gui
 
 from .. import RESOURCES
-from ..compat import mark, translate
+from ..compat import QT_TRANSLATE_NOOP, translate
 from ..errors import SutureError
 from ..feature import FilledShape
 from . import failures, pick
+from .panel import Panel
 
 
 class Command:
@@ -21,8 +22,8 @@ class Command:
     def GetResources(self):
         return {
             "Pixmap": str(RESOURCES / "icons" / f"{self._name}.svg"),
-            "MenuText": translate(self._text),
-            "ToolTip": translate(self._tip),
+            "MenuText": self._text,  # FreeCAD translates both, when the language changes too
+            "ToolTip": self._tip,
             "Accel": self._keys,
         }
 
@@ -34,13 +35,6 @@ class Command:
             self._action()
         except Exception as error:  # the last place where it can be shown
             failures.show(error)
-
-
-def _target():
-    item = pick.target()
-    if item is None:
-        raise SutureError(translate("Select the object to work on, or one of its edges or faces."))
-    return item
 
 
 def _open(panel, item=None):
@@ -55,16 +49,16 @@ def _open(panel, item=None):
 def find_holes():
     from .holes_panel import HolesPanel
 
-    _open(HolesPanel, _target())
+    _open(HolesPanel, pick.target())
 
 
 def fill():
     from .fill_panel import FillPanel
 
-    item = _target()
+    item = pick.target()
     filled = isinstance(getattr(item.obj, "Proxy", None), FilledShape)
-    if filled and not (item.edges or item.faces):
-        item.obj.ViewObject.Proxy.setEdit(item.obj.ViewObject)
+    if filled and not (item.edges or item.faces) and not Gui.Control.activeDialog():
+        item.obj.ViewObject.Proxy.doubleClicked(item.obj.ViewObject)
         return
     _open(FillPanel, item)
 
@@ -72,19 +66,29 @@ def fill():
 def check():
     from .check_panel import CheckPanel
 
-    _open(CheckPanel, _target())
+    _open(CheckPanel, pick.target())
 
 
 def zebra():
-    from .reflection import toggle_zebra
+    from . import shading
+    from .zebra_panel import ZebraPanel
 
-    toggle_zebra(_target())
+    item = pick.target()
+    if isinstance(Panel.current, ZebraPanel):
+        Panel.current.close()
+        shading.show_on(item.obj, shading.NONE)
+    elif shading.shown_on(item.obj) != shading.NONE:
+        shading.show_on(item.obj, shading.NONE)
+    else:
+        shading.show_on(item.obj, shading.ZEBRA)
+        if not Gui.Control.activeDialog():  # the sliders; the stripes need no panel
+            _open(ZebraPanel, item)
 
 
 def combs():
     from .reflection import toggle_combs
 
-    toggle_combs(_target())
+    toggle_combs(pick.target())
 
 
 def convert():
@@ -101,49 +105,49 @@ def _document():
 _COMMANDS = [
     (
         "Suture_FindHoles",
-        mark("Find holes…"),
-        mark("List the holes of a shape, show them, choose which to fill"),
-        "S, H",
+        QT_TRANSLATE_NOOP("Suture_FindHoles", "Find holes…"),
+        QT_TRANSLATE_NOOP("Suture_FindHoles", "List the holes of a shape, show them, choose which to fill"),
+        "U, H",
         find_holes,
         _document,
     ),
     (
         "Suture_Fill",
-        mark("Fill holes…"),
-        mark("Fill holes with smooth faces: at the selected edges or faces, or all of the shape"),
-        "S, F",
+        QT_TRANSLATE_NOOP("Suture_Fill", "Fill holes…"),
+        QT_TRANSLATE_NOOP("Suture_Fill", "Fill holes with smooth faces: at the selected edges or faces, or all of the shape"),
+        "U, F",
         fill,
         _document,
     ),
     (
         "Suture_Check",
-        mark("Check continuity…"),
-        mark("Measure gap, angle and curvature along every edge of a shape"),
-        "S, C",
+        QT_TRANSLATE_NOOP("Suture_Check", "Check continuity…"),
+        QT_TRANSLATE_NOOP("Suture_Check", "Measure gap, angle and curvature along every edge of a shape"),
+        "U, C",
         check,
         _document,
     ),
     (
         "Suture_Zebra",
-        mark("Zebra stripes"),
-        mark("Show reflected stripes on the selected shape, or take them away"),
-        "S, Z",
+        QT_TRANSLATE_NOOP("Suture_Zebra", "Zebra stripes"),
+        QT_TRANSLATE_NOOP("Suture_Zebra", "Show reflected stripes on the selected shape, or take them away"),
+        "U, Z",
         zebra,
         _document,
     ),
     (
         "Suture_Combs",
-        mark("Curvature combs"),
-        mark("Show how both faces bend at the selected edges, or take the combs away"),
-        "S, K",
+        QT_TRANSLATE_NOOP("Suture_Combs", "Curvature combs"),
+        QT_TRANSLATE_NOOP("Suture_Combs", "Show how both faces bend at the selected edges, or take the combs away"),
+        "U, K",
         combs,
         _document,
     ),
     (
         "Suture_Convert",
-        mark("Convert files…"),
-        mark("Fill the holes of files on disk, or convert them, without opening them"),
-        "S, V",
+        QT_TRANSLATE_NOOP("Suture_Convert", "Convert files…"),
+        QT_TRANSLATE_NOOP("Suture_Convert", "Fill the holes of files on disk, or convert them, without opening them"),
+        "U, V",
         convert,
         lambda: True,
     ),

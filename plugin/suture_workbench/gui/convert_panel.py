@@ -3,12 +3,13 @@
 
 from pathlib import Path
 
-from .. import RESOURCES, reports, tasks
+from .. import RESOURCES, reports, tasks, words
 from ..compat import QtWidgets, translate
 from ..options import FillOptions
 from . import failures
+from .panel import Panel, put
 from .progress import Watcher
-from .widgets import Panel, Status
+from .widgets import Status
 
 _FORMATS = [
     ("STEP", ".step"),
@@ -29,51 +30,47 @@ class ConvertPanel(Panel):
 
     def __init__(self):
         self.title = translate("Convert files")
-        super().__init__()
+        super().__init__("convert")
         self.files, self._waiting, self._problems = [], [], []
-        self.list = QtWidgets.QListWidget()
-        self.list.setObjectName("SutureFiles")
-        choose = QtWidgets.QPushButton(translate("Choose files…"))
-        choose.clicked.connect(self._choose)
-        self.format = QtWidgets.QComboBox()
-        self.format.setObjectName("SutureFormat")
-        self.format.addItems([name for name, _ in _FORMATS])
-        self.fill = QtWidgets.QCheckBox(translate("Fill holes"))
-        self.fill.setChecked(True)
-        self.sew = QtWidgets.QCheckBox(translate("Sew loose faces"))
-        self.sew.setChecked(True)
-        self.fill.toggled.connect(lambda on: self.sew.setEnabled(not on))
-        self.sew.setEnabled(False)
-        self.run = QtWidgets.QPushButton(translate("Convert"))
-        self.run.setObjectName("SutureRunConvert")
-        self.run.clicked.connect(self.convert)
+        self.child("SutureChooseFiles").clicked.connect(self._choose)
+        self._format().addItems([name for name, _ in _FORMATS])
+        self.child("SutureFillFiles").setChecked(True)
+        self.child("SutureSewFiles").setChecked(True)
+        self.child("SutureFillFiles").toggled.connect(
+            lambda on: self.child("SutureSewFiles").setEnabled(not on)
+        )
+        self.child("SutureSewFiles").setEnabled(False)
+        self.child("SutureRunConvert").clicked.connect(self.convert)
         self._watcher = Watcher(self._done, self._failed, self._advance)
-        self.status = Status(self._stop)
-        form = QtWidgets.QFormLayout()
-        form.addRow(translate("To"), self.format)
-        for widget in (choose, self.list):
-            self.layout.addWidget(widget)
-        self.layout.addLayout(form)
-        for widget in (self.fill, self.sew, self.run, self.status):
-            self.layout.addWidget(widget)
+        self.status = put(self.form, "statusPlace", Status(self._stop))
         self.set_files([])
+
+    def _list(self):
+        return self.child("SutureFiles", QtWidgets.QListWidget)
+
+    def _format(self):
+        return self.child("SutureFormat", QtWidgets.QComboBox)
 
     def set_files(self, files):
         self.files = [Path(path) for path in files]
-        self.list.clear()
-        self.list.addItems([path.name for path in self.files])
-        self.run.setEnabled(bool(files))
+        self._list().clear()
+        self._list().addItems([path.name for path in self.files])
+        self.child("SutureRunConvert").setEnabled(bool(files))
 
     def target(self, source):
         """Where the result goes: beside the file, under a name of its own."""
-        suffix = _FORMATS[self.format.currentIndex()][1]
-        ending = "_filled" if self.fill.isChecked() else ""
+        suffix = _FORMATS[self._format().currentIndex()][1]
+        ending = "_filled" if self.child("SutureFillFiles").isChecked() else ""
         target = source.with_name(source.stem + ending + suffix)
         return target if target != source else source.with_name(source.stem + "_converted" + suffix)
 
     def convert(self):
+        """Converts all; files that are there already are replaced only if the user says so."""
+        there = [path for path in map(self.target, self.files) if path.exists()]
+        if there and not failures.confirm_replacing(there):
+            return
         self._waiting, self._problems = list(self.files), []
-        self.run.setEnabled(False)
+        self.child("SutureRunConvert").setEnabled(False)
         self._next()
 
     def _choose(self):
@@ -85,7 +82,7 @@ class ConvertPanel(Panel):
 
     def _next(self):
         if not self._waiting:
-            self.run.setEnabled(True)
+            self.child("SutureRunConvert").setEnabled(True)
             done = translate("{} of {} files written.").format(
                 len(self.files) - len(self._problems), len(self.files)
             )
@@ -93,9 +90,9 @@ class ConvertPanel(Panel):
             say("\n".join([done, *self._problems]))
             return
         source = self._waiting[0]
-        options = FillOptions() if self.fill.isChecked() else None
+        options = FillOptions() if self.child("SutureFillFiles").isChecked() else None
         self._watcher.start(
-            tasks.ConvertFile(source, self.target(source), options, self.sew.isChecked())
+            tasks.ConvertFile(source, self.target(source), options, self.child("SutureSewFiles").isChecked())
         )
 
     def _advance(self, fraction, stage):
@@ -103,11 +100,11 @@ class ConvertPanel(Panel):
 
     def _done(self, document):
         source = self._waiting.pop(0)
-        row = self.list.item(self.files.index(source))
+        row = self._list().item(self.files.index(source))
         row.setText(f"{source.name} → {self.target(source).name}")
         row.setToolTip(document["verdict"])
         if "holes" in document and not reports.fill(document).ok:
-            row.setToolTip(reports.shortfall(reports.fill(document)))
+            row.setToolTip(words.shortfall(reports.fill(document)))
             row.setText(row.text() + " " + translate("(see tooltip)"))
         self._next()
 
@@ -115,13 +112,13 @@ class ConvertPanel(Panel):
         source = self._waiting.pop(0)
         text = failures.text_of(error)
         self._problems.append(f"{source.name}: {text}")
-        self.list.item(self.files.index(source)).setToolTip(text)
+        self._list().item(self.files.index(source)).setToolTip(text)
         self._next()
 
     def _stop(self):
         self._waiting = []
         self._watcher.cancel()
-        self.run.setEnabled(True)
+        self.child("SutureRunConvert").setEnabled(True)
         self.status.plain(translate("Stopped."))
 
     def leave(self):

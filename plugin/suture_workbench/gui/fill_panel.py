@@ -4,18 +4,22 @@
 import FreeCAD as App
 import FreeCADGui as Gui
 
-from .. import RESOURCES, api, feature, meshes, places, reports, settings, tasks
+from .. import RESOURCES, api, feature, places, reports, settings, tasks, words
 from ..compat import QtCore, QtWidgets, translate
 from ..errors import SutureError
 from ..options import CONTINUITIES, FillOptions
-from ..program import methods
-from . import failures, overlay
+from ..program import methods, title_of
+from . import failures
+from .choice import Choice
 from .holes_tree import HolesTree
 from .method_options import MethodOptions
+from .panel import Buttons, Panel, put
+from .preview import Preview
 from .progress import Watcher, run_with_dialog
 from .sides_table import SidesTable
+from .surface_box import SurfaceBox
 from .through_list import ThroughList
-from .widgets import Buttons, Panel, Status, heading, number_box
+from .widgets import Status, limit_boxes, show_heading
 
 _PAUSE_MS = 350  # after the last change of an option, before the preview is computed anew
 
@@ -28,18 +32,21 @@ class FillPanel(Panel):
 
     def __init__(self, item, ticked=None, edited=None):
         self.title = translate("Fill holes")
-        super().__init__()
+        super().__init__("fill")
         self.item, self.edited = item, edited
         self._ticked, self._all = ticked, ticked is None
+        self._preferred = set(item.edges)  # of the edges of a hole, those that name it
         self._shown = None  # (key, request, Filled) of the preview
-        self._build(places.shown_at(item))
+        self._pending = None
+        self._before = {}  # what was visible before an edit
         self.shape = places.local_shape(item.obj)
+        self._build(places.shown_at(item))
         self._finder = Watcher(self._found, self._failed, self.status.advance)
         self._filler = Watcher(self._previewed, self._failed, self.status.advance)
         self._timer = QtCore.QTimer(self.form)
         self._timer.setSingleShot(True)
         self._timer.timeout.connect(self._start_preview)
-        self.status.plain(translate("Looking for holes…"))
+        self.status.advance(0.0, translate("Looking for holes…"))
         self._finder.start(tasks.FindHoles(self.shape))
 
     @classmethod
@@ -50,84 +57,82 @@ class FillPanel(Panel):
         chosen = set(options.edges)
         ticked = (lambda hole: bool(chosen & set(hole.edges))) if chosen else None
         panel = cls(places.Selected(base, [], [], base, ""), ticked, edited=obj)
-        obj.ViewObject.Visibility, base.ViewObject.Visibility = False, True
+        panel._preferred = chosen
+        for shown, visible in ((obj, False), (base, True)):
+            panel._before[shown] = shown.ViewObject.Visibility
+            shown.ViewObject.Visibility = visible
         panel._set(options, obj)
         return panel
+
+    def watched(self):
+        return [self.item.obj] + ([self.edited] if self.edited is not None else [])
 
     # -- what is shown
 
     def _build(self, placement):
-        self.tree = HolesTree(self.item, placement)
-        self.sides = SidesTable(self.tree, self.item)
-        self.method = self._combo("SutureMethod", methods(), settings.method())
-        self.continuity = self._combo("SutureContinuity", CONTINUITIES, "auto")
-        self.own = MethodOptions()
-        self.own.show_method(self.method.currentText())
-        self.method.currentTextChanged.connect(self.own.show_method)
-        self.gap = number_box(settings.gap(), "mm", translate("Largest gap"))
-        self.angle = number_box(settings.angle(), "°", translate("Largest angle of tangent joins"))
-        self.curvature = number_box(
-            settings.curvature(), "%", translate("Largest curvature mismatch of G2 joins")
+        show_heading(self.child("SutureHeading"), self.item.obj.Label)
+        self.tree = put(self.form, "holesPlace", HolesTree(self.item, placement))
+        self.sides = put(self.form, "sidesPlace", SidesTable(self.tree, self.item))
+        self.status = put(self.form, "statusPlace", Status(self._stop))
+        self.through = put(self.form, "throughPlace", ThroughList(self.item.obj))
+        self.own = put(self.form, "ownPlace", MethodOptions(self._show_heading_of_own))
+        self._drawing = Preview(placement)
+        self.surface = put(
+            self.form, "surfacePlace", SurfaceBox([self.item.obj], self._drawing.shade)
         )
-        self.one_face = QtWidgets.QCheckBox(translate("The ticked loops bound one face (islands)"))
-        self.through = ThroughList(self.item.obj)
-        self.preview = QtWidgets.QCheckBox(translate("Preview"))
-        self.preview.setObjectName("SuturePreview")
-        self.preview.setChecked(settings.preview())
-        self.status = Status(self._stop)
-        self._drawing = overlay.Overlay(placement)
-        choices, limits = QtWidgets.QHBoxLayout(), QtWidgets.QHBoxLayout()
-        for text, combo in (
-            (translate("Method"), self.method),
-            (translate("Continuity"), self.continuity),
-        ):
-            choices.addWidget(QtWidgets.QLabel(text))
-            choices.addWidget(combo, 1)
-        for box in (self.gap, self.angle, self.curvature):
-            limits.addWidget(box)
-        self.layout.addWidget(heading(self.item.obj.Label))
-        self.tree.setFixedHeight(130)
-        self.sides.setFixedHeight(130)
-        self.layout.addWidget(self.tree)
-        self.layout.addLayout(choices)
-        self.layout.addWidget(self.own)
-        self.layout.addLayout(limits)
-        for widget in (self.preview, self.status, self.sides, self.one_face, self.through):
-            self.layout.addWidget(widget)
+        self.surface.setVisible(False)
+        self.child("SutureSurface").toggled.connect(self.surface.setVisible)
+        self.method = Choice(
+            self.form,
+            "SutureMethod",
+            "SutureMethodExplained",
+            methods(),
+            text=lambda method: words.method_text(method, title_of(method)),
+        )
+        self.method.choose(settings.method())
+        self.continuity = Choice(
+            self.form,
+            "SutureContinuity",
+            "SutureContinuityExplained",
+            CONTINUITIES,
+            text=words.continuity_text,
+        )
+        self.own.show_method(self.method.key())
+        self.method.changed.connect(lambda: self.own.show_method(self.method.key()))
+        self.gap, self.angle, self.curvature = limit_boxes(self.form)
+        self.child("SuturePreview").setChecked(settings.preview())
+        self.tree.setFixedHeight(120)
+        self.sides.setFixedHeight(120)
         self.tree.ticked_changed.connect(self._choose_sides)
         for signal in (
-            self.method.currentTextChanged,
-            self.continuity.currentTextChanged,
+            self.method.changed,
+            self.continuity.changed,
             self.gap.valueChanged,
             self.angle.valueChanged,
             self.curvature.valueChanged,
-            self.one_face.toggled,
-            self.preview.toggled,
+            self.child("SutureOneFace").toggled,
+            self.child("SuturePreview").toggled,
             self.sides.changed,
             self.through.changed,
             self.own.changed,
         ):
             signal.connect(self._changed)
 
-    def _combo(self, name, choices, value):
-        combo = QtWidgets.QComboBox()
-        combo.setObjectName(name)
-        combo.addItems(choices if value in choices else [*choices, value])
-        combo.setCurrentText(value)
-        return combo
+    def _show_heading_of_own(self, on):
+        self.child("ownLabel").setVisible(on)
 
     def _set(self, options, obj):
-        for combo, value in ((self.method, options.method), (self.continuity, options.continuity)):
-            if combo.findText(value) < 0:
-                combo.addItem(value)
-            combo.setCurrentText(value)
+        self.method.choose(options.method)
+        self.continuity.choose(options.continuity)
         self.own.set(options.own)
         self.gap.setValue(options.gap)
         self.angle.setValue(options.angle)
         self.curvature.setValue(options.curvature)
-        self.one_face.setChecked(options.one_face)
+        self.child("SutureOneFace").setChecked(options.one_face)
         self.sides.wanted = dict(options.sides)
         self.through.set(obj.Through, [tuple(point) for point in obj.Points])
+        if options.one_face or options.own or obj.Through or obj.Points:
+            self.child("SutureMore", QtWidgets.QToolButton).setChecked(True)
 
     # -- what is asked for
 
@@ -138,20 +143,23 @@ class FillPanel(Panel):
             raise SutureError(translate("Tick a hole to fill."))
         ordinary = {hole.id for hole in self.tree.holes() if hole.kind == reports.FILLABLE}
         every = self._all and {hole.id for hole in holes} == ordinary
-        edges = [] if every and not self.one_face.isChecked() else self._one_edge_each(holes)
+        edges = [] if every and not self._one_face() else self._one_edge_each(holes)
         return FillOptions(
             edges,
-            method=self.method.currentText(),
-            continuity=self.continuity.currentText(),
+            method=self.method.key(),
+            continuity=self.continuity.key(),
             sides=self.sides.asked(),
             points=self.through.points,
             own=self.own.values(),
             gap=self.gap.value(),
             angle=self.angle.value(),
             curvature=self.curvature.value(),
-            one_face=self.one_face.isChecked(),
+            one_face=self._one_face(),
             all_loops=any(hole.kind != reports.FILLABLE for hole in holes),
         )
+
+    def _one_face(self):
+        return self.child("SutureOneFace").isChecked()
 
     def _one_edge_each(self, holes):
         edges = []
@@ -159,7 +167,7 @@ class FillPanel(Panel):
             numbers = [number for number in map(self.tree.number, hole.edges) if number]
             if not numbers:
                 raise SutureError(translate("Hole {} has no edge of the object.").format(hole.id))
-            edges.append(numbers[0])
+            edges.append(next((n for n in numbers if n in self._preferred), numbers[0]))
         return edges
 
     def request(self):
@@ -169,6 +177,12 @@ class FillPanel(Panel):
 
     # -- finding and preview
 
+    def picked(self, kind, number, point):
+        """An edge clicked in the view shows its row; a face, the hole beside it."""
+        if kind == "Edge" and self.sides.show_edge(number):
+            return
+        self.tree.show_element(kind, number)
+
     def _found(self, found):
         ticked = self._ticked
         if ticked is None and (self.item.edges or self.item.faces):
@@ -176,8 +190,6 @@ class FillPanel(Panel):
             self._all = False
         self.tree.fill(found, ticked)
         self._choose_sides()
-        if not self.tree.ticked():
-            self.status.plain(translate("Tick a hole to fill."))
 
     def _touches_selection(self, found):
         def touches(hole):
@@ -195,18 +207,24 @@ class FillPanel(Panel):
         self._filler.cancel()
         self._drawing.clear()
         self.sides.clear_measured()
+        if self._finder.busy():
+            return
         if not self.tree.ticked():
             self.status.plain(translate("Tick a hole to fill."))
-        elif self.preview.isChecked():
+        elif self.child("SuturePreview").isChecked():
+            self.status.advance(0.0, translate("Working…"))
             self._timer.start(_PAUSE_MS)
         else:
             self.status.plain(translate("No preview."))
 
     def _start_preview(self):
         try:
-            request = self.request()
-            self._pending = request
-            self._filler.start(request.task())
+            self._pending = request = self.request()
+            known = feature.stored(self.edited, request)
+            if known is not None:
+                self._previewed(known)
+            else:
+                self._filler.start(request.task())
         except SutureError as error:
             self._failed(error)
 
@@ -218,16 +236,12 @@ class FillPanel(Panel):
 
     def _previewed(self, filled):
         self._shown = (self._pending.key(), self._pending, filled)
-        self._drawing.clear()
-        deflection = meshes.fineness(filled.shape)
-        for number in filled.new_faces:
-            face = filled.shape.Faces[number - 1]
-            self._drawing.mesh(*meshes.mesh_of(face, deflection), overlay.ORANGE, 0.2)
+        self._drawing.show(filled)
         self.sides.measured(filled.report)
         if filled.report.ok:
-            self.status.good(reports.summary(filled.report))
+            self.status.good(words.fill_summary(filled.report))
         else:
-            self.status.bad(reports.shortfall(filled.report))
+            self.status.bad(words.shortfall(filled.report))
 
     def _failed(self, error):
         failures.report(self.status, error, self.item)
@@ -237,13 +251,11 @@ class FillPanel(Panel):
     def accept(self):
         """OK: what the preview shows becomes an object, in one step of undo."""
         self._timer.stop()
-        self._filler.cancel()
         try:
             request = self.request()
-            if self._shown and self._shown[0] == request.key():
-                filled = self._shown[2]
-            else:
-                filled = run_with_dialog(request.task())
+            filled = self._result(request)
+            if not failures.confirm(words.doubts(filled.report)):
+                return False
             self._commit(request, filled)
         except Exception as error:  # the panel stays, so that something else can be tried
             failures.show(error, self.item)
@@ -251,19 +263,42 @@ class FillPanel(Panel):
         self.close()
         return True
 
+    def _result(self, request):
+        """The preview where it is what is asked for; one that still runs is waited for."""
+        if self._shown and self._shown[0] == request.key():
+            return self._shown[2]
+        if self._filler.busy() and self._pending.key() == request.key():
+            task = self._filler.release()
+        else:
+            self._filler.cancel()
+            task = request.task()
+        filled = run_with_dialog(task)
+        self._pending = request
+        self._previewed(filled)
+        return filled
+
     def _commit(self, request, filled):
+        self._restore()  # what was shown for the edit is no change of the document
         obj = api.keep(request, filled, self.options(), self.through.references, self.edited)
         obj.ViewObject.Visibility = True
         Gui.Selection.clearSelection()
-        App.Console.PrintMessage(f"{obj.Label}: {filled.report.verdict}\n")
+        App.Console.PrintMessage(f"{obj.Label}: {obj.Verdict}\n")
+
+    def _restore(self):
+        if self.edited is not None and not places.exists(self.edited):
+            self._before = {}  # it is being deleted: what it was made from stays in view
+        for obj, visible in self._before.items():
+            if places.exists(obj) and places.in_window(obj):
+                obj.ViewObject.Visibility = visible
+                obj.Document.abortTransaction()  # FreeCAD's own, of the menu entry Edit
+        self._before = {}
 
     def leave(self):
         self._timer.stop()
         self._finder.cancel()
         self._filler.cancel()
         self._drawing.close()
+        self.surface.leave()
         self.tree.leave()
         self.sides.leave()
-        if self.edited is not None and self.edited.Document is not None:
-            self.edited.ViewObject.Visibility = True
-            self.item.obj.ViewObject.Visibility = False
+        self._restore()

@@ -1,12 +1,13 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Find holes: lists them, shows them, and hands the ticked ones to the fill panel."""
 
-from .. import RESOURCES, places, tasks
-from ..compat import QtWidgets, translate
+from .. import RESOURCES, places, tasks, words
+from ..compat import translate
 from . import failures
 from .holes_tree import HolesTree
+from .panel import Panel, put
 from .progress import Watcher
-from .widgets import Panel, Status, heading
+from .widgets import Status, show_heading
 
 
 class HolesPanel(Panel):
@@ -16,23 +17,21 @@ class HolesPanel(Panel):
 
     def __init__(self, item):
         self.title = translate("Find holes")
-        super().__init__()
+        super().__init__("holes")
         self.item = item
         self.shape = places.local_shape(item.obj)
-        self.tree = HolesTree(item, places.shown_at(item))
-        self.fill_button = QtWidgets.QPushButton(translate("Fill ticked holes…"))
-        self.fill_button.setObjectName("SutureFillTicked")
-        self.fill_button.setEnabled(False)
-        self.fill_button.clicked.connect(self._fill)
+        show_heading(self.child("SutureHeading"), item.obj.Label)
+        self.tree = put(self.form, "holesPlace", HolesTree(item, places.shown_at(item)))
+        self.child("SutureFillTicked").setEnabled(False)
+        self.child("SutureFillTicked").clicked.connect(self._fill)
         self.watcher = Watcher(self._found, self._failed, self._advance)
-        self.status = Status(self.watcher.cancel)
-        self.layout.addWidget(heading(item.obj.Label))
-        self.layout.addWidget(self.tree)
-        self.layout.addWidget(self.status)
-        self.layout.addWidget(self.fill_button)
+        self.status = put(self.form, "statusPlace", Status(self.watcher.cancel))
         self.tree.ticked_changed.connect(self._count)
-        self.status.plain(translate("Looking for holes…"))
+        self.status.advance(0.0, translate("Looking for holes…"))
         self.watcher.start(tasks.FindHoles(self.shape))
+
+    def picked(self, kind, number, point):
+        self.tree.show_element(kind, number)
 
     def leave(self):
         self.watcher.cancel()
@@ -43,15 +42,14 @@ class HolesPanel(Panel):
 
     def _found(self, found):
         self.tree.fill(found)
-        text = found.report.verdict if found.report.holes else translate("There is no hole.")
-        self.status.plain(text + ". " + translate("Click one to see it."))
+        self.status.plain(words.holes_summary(found.report))
         self._count()
 
     def _failed(self, error):
         failures.report(self.status, error, self.item)
 
     def _count(self):
-        self.fill_button.setEnabled(bool(self.tree.ticked()))
+        self.child("SutureFillTicked").setEnabled(bool(self.tree.ticked()))
 
     def _fill(self):
         from .fill_panel import FillPanel

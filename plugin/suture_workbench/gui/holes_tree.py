@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The list of holes with tick boxes that both panels show, and its drawing in the view."""
 
-from .. import meshes
+from .. import facing, meshes
 from ..compat import QtCore, QtWidgets, translate
 from ..reports import FILLABLE
-from . import overlay, pick
+from . import camera, overlay, pick
 from .widgets import length
 
 _SMOOTH_DEGREES = 1.0  # corners whose neighbours' normals differ by less count as smooth
@@ -14,11 +14,11 @@ _ROLE = QtCore.Qt.UserRole
 
 def kind_name(kind):
     return {
-        "hole": translate("hole"),
-        "rim": translate("rim"),
-        "seam": translate("seam"),
-        "slit": translate("slit"),
-        "ambiguous": translate("doubtful"),
+        "hole": translate("Hole"),
+        "rim": translate("Rim"),
+        "seam": translate("Seam"),
+        "slit": translate("Slit"),
+        "ambiguous": translate("Doubtful"),
     }.get(kind, kind)
 
 
@@ -45,13 +45,13 @@ class HolesTree(QtWidgets.QTreeWidget):
         self.setHeaderLabels(
             [
                 translate("Hole"),
-                translate("Kind"),
                 translate("Sides"),
                 translate("Size"),
                 translate("Neighbours"),
             ]
         )
         self.setAlternatingRowColors(True)
+        self.setIndentation(10)
         self.setMinimumHeight(110)
         self.itemSelectionChanged.connect(self._show_selected)
         self.itemChanged.connect(lambda row, column: self.ticked_changed.emit())
@@ -98,6 +98,19 @@ class HolesTree(QtWidgets.QTreeWidget):
             if row.data(0, _ROLE).id == hole_id:
                 self.setCurrentItem(row)
 
+    def show_element(self, kind, number):
+        """Shows the row of the hole that an edge bounds or a face lies beside; the camera stays."""
+        for row in self.rows():
+            hole = row.data(0, _ROLE)
+            numbers = map(self.number, hole.edges) if kind == "Edge" else hole.faces
+            if number in numbers:
+                self.blockSignals(True)
+                self.setCurrentItem(row)
+                self.blockSignals(False)
+                self.scrollToItem(row)
+                self._draw([hole])
+                return
+
     def leave(self):
         self._overlay.close()
 
@@ -106,15 +119,13 @@ class HolesTree(QtWidgets.QTreeWidget):
         title = translate("Holes") if fillable else translate("Rims, seams and others: no holes")
         if title not in self._groups:
             group = QtWidgets.QTreeWidgetItem([title])
-            group.setFirstColumnSpanned(True)
             self.addTopLevelItem(group)
             group.setFirstColumnSpanned(True)
             group.setExpanded(True)
             self._groups[title] = group
         row = QtWidgets.QTreeWidgetItem(
             [
-                translate("Hole {}").format(hole.id) if fillable else str(hole.id),
-                kind_name(hole.kind),
+                f"{kind_name(hole.kind)} {hole.id}",
                 str(len(hole.edges)),
                 length(hole.diameter),
                 neighbours(hole),
@@ -124,7 +135,7 @@ class HolesTree(QtWidgets.QTreeWidget):
         if hole.kind != "seam":  # seams are sewn, not filled
             row.setCheckState(0, QtCore.Qt.Checked if tick else QtCore.Qt.Unchecked)
         edges = ", ".join(self.name(edge) for edge in hole.edges)
-        for column in range(5):
+        for column in range(self.columnCount()):
             row.setToolTip(column, f"{edges}\n{hole.reason}")
         self._groups[title].addChild(row)
 
@@ -137,7 +148,12 @@ class HolesTree(QtWidgets.QTreeWidget):
         edges = [self.number(edge) for hole in holes for edge in hole.edges]
         pick.select_edges(self._item, [edge for edge in edges if edge])
         points = [corner for hole in holes for edge in hole.edges for corner in self._line(edge)]
-        pick.look_at(points, self._placement, max(hole.diameter for hole in holes) * 0.4)
+        camera.look_at(
+            points,
+            self._placement,
+            max(hole.diameter for hole in holes) * 0.4,
+            facing.outward(self._found.shape, holes[0].edges, holes[0].faces),
+        )
 
     def _line(self, edge):
         shape = self._found.shape

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The options that one fill method has and others have not, as the program tells them."""
 
-from .. import program
+from .. import program, words
 from ..compat import QtCore, QtWidgets
 
 
@@ -10,12 +10,14 @@ class MethodOptions(QtWidgets.QWidget):
 
     changed = QtCore.Signal()
 
-    def __init__(self):
+    def __init__(self, show_heading):
         super().__init__()
+        self._show_heading = show_heading  # told whether there are options
         self._method, self._fields = "", {}
         self._values = {}  # by method and key: they come back when the method does
         self._layout = QtWidgets.QFormLayout(self)
         self._layout.setContentsMargins(0, 0, 0, 0)
+        self._layout.setRowWrapPolicy(QtWidgets.QFormLayout.WrapLongRows)
 
     def show_method(self, method):
         """Shows the options of a method."""
@@ -23,14 +25,17 @@ class MethodOptions(QtWidgets.QWidget):
         while self._layout.rowCount():
             self._layout.removeRow(0)
         for option in program.options_of(method):
-            key, words = option["key"], option["value"].split("|")
-            field = self._choice(words) if len(words) > 1 else self._line(option["value"])
+            key, choices = option["key"], option["value"].split("|")
+            field = self._choice(choices) if len(choices) > 1 else self._line(option["value"])
             field.setObjectName(f"SutureOption_{key}")
             field.setToolTip(option["text"])
             self._fields[key] = field
             self._put(key, self._values.get((method, key), ""))
-            self._layout.addRow(key, field)
+            name = words.option_name(key)
+            self._layout.addRow(name, field)
+            self._layout.labelForField(field).setToolTip(f"{key}: {option['text']}")
         self.setVisible(bool(self._fields))
+        self._show_heading(bool(self._fields))
 
     def values(self):
         """{key: value} of what is filled in."""
@@ -45,13 +50,14 @@ class MethodOptions(QtWidgets.QWidget):
 
     def _line(self, hint):
         field = QtWidgets.QLineEdit()
+        field.setMinimumWidth(60)
         field.setPlaceholderText(hint)
         field.editingFinished.connect(self._keep)
         return field
 
-    def _choice(self, words):
+    def _choice(self, choices):
         field = QtWidgets.QComboBox()
-        field.addItems(["", *words])
+        field.addItems(["", *choices])
         field.currentIndexChanged.connect(self._keep)
         return field
 

@@ -62,7 +62,7 @@ class Overlay:
         self._add(_flat(color), _in_front(), places, markers)
 
     def mesh(self, points, normals, triangles, color, transparency=0.0, stripes=None):
-        """Draws a shaded mesh; with `stripes` it mirrors them."""
+        """Draws a shaded mesh; `stripes` is a node of shading.py."""
         material = coin.SoMaterial()
         material.diffuseColor = color
         material.transparency = transparency
@@ -121,49 +121,6 @@ class Overlay:
         for node in nodes:
             part.addChild(node)
         self._body.addChild(part)
-
-
-_VERTEX = """
-varying vec3 normal;
-varying vec3 place;
-void main() {
-    normal = gl_NormalMatrix * gl_Normal;
-    place = vec3(gl_ModelViewMatrix * gl_Vertex);
-    gl_Position = ftransform();
-}
-"""
-# Lines of light far away, mirrored: the angle between the mirrored view and the lines' plane, in
-# stripes. Exact at every pixel, so that a bend between two faces is theirs and not the mesh's.
-_FRAGMENT = """
-varying vec3 normal;
-varying vec3 place;
-uniform float stripes;
-void main() {
-    vec3 view = gl_ProjectionMatrix[3][3] > 0.5 ? vec3(0.0, 0.0, -1.0) : normalize(place);
-    vec3 n = normalize(normal);
-    vec3 mirrored = reflect(view, faceforward(n, view, n));
-    float phase = stripes * acos(clamp(mirrored.y, -1.0, 1.0));
-    float edge = max(fwidth(phase), 0.0001);
-    float white = smoothstep(-edge, edge, sin(phase));
-    float light = 0.75 + 0.25 * abs(dot(n, view));
-    gl_FragColor = vec4(vec3(light * mix(0.06, 1.0, white)), 1.0);
-}
-"""
-
-
-def stripes(count=14.0):
-    """A node that makes what follows it mirror stripes."""
-    program = coin.SoShaderProgram()
-    for position, (shader, text) in enumerate(
-        ((coin.SoVertexShader(), _VERTEX), (coin.SoFragmentShader(), _FRAGMENT))
-    ):
-        shader.sourceType = coin.SoShaderObject.GLSL_PROGRAM
-        shader.sourceProgram = text
-        program.shaderObject.set1Value(position, shader)
-    parameter = coin.SoShaderParameter1f()
-    parameter.name, parameter.value = "stripes", count
-    shader.parameter.set1Value(0, parameter)
-    return program
 
 
 def _coordinates(points):

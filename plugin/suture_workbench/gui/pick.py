@@ -4,7 +4,9 @@
 import FreeCAD as App
 import FreeCADGui as Gui
 
-from .. import places
+from .. import parts, places
+from ..compat import translate
+from ..errors import SutureError
 
 
 def selected():
@@ -12,67 +14,97 @@ def selected():
     return places.selection(Gui.Selection.getSelectionEx("", 0))
 
 
-def anything():
-    """Whether there is something to work on: for the commands' IsActive, so it must be quick."""
-    return App.ActiveDocument is not None and bool(Gui.Selection.getSelection())
-
-
 def target():
-    """The one object to work on: the selected one, else the only visible one that has faces."""
+    """The one object to work on: the selected one, else the only one that is shown.
+
+    Anything else raises, saying what is wrong and what to do: never another object than the
+    selected one.
+    """
     found = selected()
+    if len(found) > 1:
+        raise SutureError(
+            translate("Several objects are selected: {}. Select one of them.").format(
+                ", ".join(item.obj.Label for item in found)
+            )
+        )
     if found:
         return found[0]
+    unfit = [obj for obj in Gui.Selection.getSelection() if obj is not None]
+    if unfit:
+        raise SutureError(why_unfit(unfit[0]))
+    shown = _shown_objects()
+    if len(shown) == 1:
+        return places.Selected(shown[0], [], [], shown[0], "")
+    if not shown:
+        raise SutureError(translate("There is no shape to work on: open or make one first."))
+    raise SutureError(
+        translate("Several objects are shown: {}. Select the one to work on.").format(
+            ", ".join(obj.Label for obj in shown)
+        )
+    )
+
+
+def why_unfit(obj):
+    """Why an object cannot be worked on, and what to do."""
+    if obj.isDerivedFrom("Mesh::Feature"):
+        return translate(
+            "{} is a mesh; Suture works on surfaces. Part > Create shape from mesh makes one, which "
+            "can be selected then."
+        ).format(obj.Label)
+    if obj.isDerivedFrom("Points::Feature"):
+        return translate("{} is a cloud of points: it has no surface to work on.").format(obj.Label)
+    if places.has_shape(obj) or obj.isDerivedFrom("Part::Part2DObject"):
+        return translate(
+            "{} has lines only, no face. Select the solid or the surface whose hole they bound."
+        ).format(obj.Label)
+    return translate("{} has no shape. Select a solid, a surface or one of its edges.").format(
+        obj.Label
+    )
+
+
+def _shown_objects():
+    """What is shown and has faces; the outermost ones, so that a Part counts once."""
     document = App.ActiveDocument
-    visible = [
+    shown = [
         obj
         for obj in (document.Objects if document else [])
-        if obj.ViewObject is not None
-        and obj.ViewObject.Visibility
-        and not obj.isDerivedFrom("App::Part")
-        and not obj.isDerivedFrom("App::Origin")
+        if _visible(obj)
         and not obj.isDerivedFrom("App::OriginFeature")
+        and not obj.isDerivedFrom("Part::Datum")
+        and all(_visible(holder) for holder in places.containers(obj))
         and places.base_of(obj) is obj
-        and places.has_shape(obj)
-        and places.shape_of(obj).Faces
+        and places.has_faces(obj)
     ]
-    if len(visible) != 1:
-        return None
-    return places.Selected(visible[0], [], [], visible[0], "")
+    holders = [obj for obj in shown if parts.is_container(obj)]
+    inside = {name for holder in holders for name in parts.names_in(holder)}
+    outer = [obj for obj in shown if obj.Name not in inside]
+    if len(outer) == 1 and outer[0] in holders:
+        inner = [obj for obj in shown if obj.Name in inside and obj not in holders]
+        if len(inner) == 1 and len(parts.leaves(outer[0])) == 1:
+            return inner  # a Part around one body is the body
+    return outer
+
+
+def _visible(obj):
+    return obj.ViewObject is not None and obj.ViewObject.Visibility
+
+
+_own_selection = False
+
+
+def selecting():
+    """Whether it is we who select at this moment."""
+    return _own_selection
 
 
 def select_edges(item, edges):
     """Selects edges of an object, so that the view shows them."""
-    Gui.Selection.clearSelection()
-    for edge in edges:
-        name = f"{item.path}Edge{edge}"
-        Gui.Selection.addSelection(item.top.Document.Name, item.top.Name, name)
-
-
-def look_at(points, placement, radius):
-    """Turns the camera to the box around points, and some room."""
-    moved = [placement.multVec(App.Vector(*point)) for point in points]
-    box = App.BoundBox()
-    for point in moved:
-        box.add(point)
-    box.enlarge(radius)
-    _frame(box)
-
-
-def _frame(box):
-    """Moves the camera so that a box fills the view; the direction stays."""
-    from pivy import coin
-
-    view = Gui.ActiveDocument.ActiveView
-    camera = view.getCameraNode()
-    width, height = view.getSize()
-    region = coin.SbViewportRegion(width, height)
-    node = coin.SoSeparator()
-    place = coin.SoTranslation()
-    place.translation = tuple(box.Center)
-    cube = coin.SoCube()
-    cube.width, cube.height, cube.depth = (
-        max(x, 1e-6) for x in (box.XLength, box.YLength, box.ZLength)
-    )
-    node.addChild(place)
-    node.addChild(cube)
-    camera.viewAll(node, region)
+    global _own_selection
+    _own_selection = True
+    try:
+        Gui.Selection.clearSelection()
+        for edge in edges:
+            name = item.path + parts.element_path(item.obj, "Edge", edge)
+            Gui.Selection.addSelection(item.top.Document.Name, item.top.Name, name)
+    finally:
+        _own_selection = False

@@ -4,94 +4,68 @@
 from .. import program, settings
 from ..compat import QtWidgets, translate
 from ..errors import ProgramMissing
-from .widgets import number_box
+from .panel import find, load_form
+from .widgets import limit_boxes
 
 
 class PreferencesPage:
     """FreeCAD makes one when the preferences are opened, and asks it to load and to save."""
 
     def __init__(self, parent=None):
-        self.form = QtWidgets.QWidget()
+        self.form = load_form("preferences")
         self.form.setObjectName("SuturePreferences")
         self.form.setWindowTitle(translate("General"))
-        self._program = QtWidgets.QLineEdit()
-        self._program.setObjectName("SutureProgramPath")
-        self._program.setPlaceholderText(
-            translate("searched: the addon's own build, then the PATH")
-        )
-        self._program.textChanged.connect(self._look)
-        browse = QtWidgets.QPushButton("…")
-        browse.clicked.connect(self._browse)
-        self._found = QtWidgets.QLabel()
-        self._found.setObjectName("SutureProgramFound")
-        self._found.setWordWrap(True)
-        self._gap = number_box(
-            0.001, "mm", translate("Largest gap between a new face and its neighbours")
-        )
-        self._angle = number_box(0.01, "°", translate("Largest angle of tangent joins"))
-        self._curvature = number_box(2.0, "%", translate("Largest curvature mismatch of G2 joins"))
-        self._method = QtWidgets.QComboBox()
-        self._method.setToolTip(translate("The fill method to begin with"))
-        self._preview = QtWidgets.QCheckBox(translate("Show a preview unasked"))
-        self._limit = QtWidgets.QSpinBox()
-        self._limit.setRange(0, 86400)
-        self._limit.setSuffix(" s")
-        self._limit.setSpecialValueText(translate("none"))
-        self._limit.setToolTip(translate("Give a run up after so long"))
-        path = QtWidgets.QHBoxLayout()
-        path.addWidget(self._program)
-        path.addWidget(browse)
-        rows = QtWidgets.QFormLayout()
-        for text, entry in (
-            (translate("Program suture"), path),
-            ("", self._found),
-            (translate("Largest gap"), self._gap),
-            (translate("Largest angle"), self._angle),
-            (translate("Largest curvature mismatch"), self._curvature),
-            (translate("Default method"), self._method),
-            (translate("Preview"), self._preview),
-            (translate("Time limit"), self._limit),
-        ):
-            rows.addRow(text, entry)
-        layout = QtWidgets.QVBoxLayout(self.form)
-        layout.addLayout(rows)
-        layout.addStretch()
+        self._child("SutureProgramPath", QtWidgets.QLineEdit).setPlaceholderText(translate("searched in the usual places"))
+        self._child("SutureProgramPath", QtWidgets.QLineEdit).textChanged.connect(self._look)
+        self._child("SutureBrowse").clicked.connect(self._browse)
+        self._child("SutureGetProgram").clicked.connect(self._get)
+        self._gap, self._angle, self._curvature = limit_boxes(self.form)
+
+    def _child(self, name, kind=QtWidgets.QWidget):
+        return find(self.form, name, kind)
 
     def loadSettings(self):
-        self._program.setText(settings.program())
+        self._child("SutureProgramPath", QtWidgets.QLineEdit).setText(settings.program())
         self._gap.setValue(settings.gap())
         self._angle.setValue(settings.angle())
         self._curvature.setValue(settings.curvature())
         choices = program.methods()
-        self._method.clear()
-        self._method.addItems(
+        self._child("SutureDefaultMethod", QtWidgets.QComboBox).clear()
+        self._child("SutureDefaultMethod", QtWidgets.QComboBox).addItems(
             choices if settings.method() in choices else [*choices, settings.method()]
         )
-        self._method.setCurrentText(settings.method())
-        self._preview.setChecked(settings.preview())
-        self._limit.setValue(settings.time_limit())
+        self._child("SutureDefaultMethod", QtWidgets.QComboBox).setCurrentText(settings.method())
+        self._child("SutureShowPreview", QtWidgets.QCheckBox).setChecked(settings.preview())
+        self._child("SutureTimeLimit", QtWidgets.QSpinBox).setValue(settings.time_limit())
         self._look()
 
     def saveSettings(self):
         settings.save(
-            program=self._program.text().strip(),
+            program=self._child("SutureProgramPath", QtWidgets.QLineEdit).text().strip(),
             gap=self._gap.value(),
             angle=self._angle.value(),
             curvature=self._curvature.value(),
-            method=self._method.currentText(),
-            preview=self._preview.isChecked(),
-            time_limit=self._limit.value(),
+            method=self._child("SutureDefaultMethod", QtWidgets.QComboBox).currentText(),
+            preview=self._child("SutureShowPreview", QtWidgets.QCheckBox).isChecked(),
+            time_limit=self._child("SutureTimeLimit", QtWidgets.QSpinBox).value(),
         )
 
     def _browse(self):
         path, _ = QtWidgets.QFileDialog.getOpenFileName(self.form, translate("Program suture"))
         if path:
-            self._program.setText(path)
+            self._child("SutureProgramPath", QtWidgets.QLineEdit).setText(path)
+
+    def _get(self):
+        from .program_dialog import ProgramDialog
+
+        ProgramDialog(self.form).run()
+        self._child("SutureProgramPath", QtWidgets.QLineEdit).setText(settings.program())
+        self._look()
 
     def _look(self, *_):
         """Says which program it would be."""
         try:
-            text = translate("found: {}").format(program.find(self._program.text().strip()))
+            text = translate("found: {}").format(program.find(self._child("SutureProgramPath", QtWidgets.QLineEdit).text().strip()))
         except ProgramMissing as error:
             text = str(error)
-        self._found.setText(text)
+        self._child("SutureProgramFound", QtWidgets.QLabel).setText(text)

@@ -47,6 +47,11 @@ class Watcher(QtCore.QObject):
             self._task = None
             self._failed(error)
 
+    def release(self):
+        """Hands the running task over to somebody who waits for it."""
+        task, self._task = self._task, None
+        return task
+
     def cancel(self):
         if self._task is not None:
             self._task.cancel()
@@ -73,8 +78,12 @@ class Watcher(QtCore.QObject):
 
 
 def run_with_dialog(task):
-    """The task's result, waited for with a dialog that can stop it; timers and repaints go on."""
-    task.start()
+    """The task's result, waited for with a dialog that can stop it; timers and repaints go on.
+
+    A task that runs already is waited for as it is.
+    """
+    if not task.started():
+        task.start()
     began = time.monotonic()
     while task.running() and time.monotonic() - began < _SHOW_AFTER_SECONDS:
         # No clicks before the dialog is there to keep them from the document.

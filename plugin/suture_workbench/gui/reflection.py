@@ -1,24 +1,13 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Zebra stripes and curvature combs over objects of the document; each command switches them."""
+"""Curvature combs over objects of the document; the command switches them."""
 
 import FreeCAD as App
 
-from .. import combs, meshes, places
-from ..compat import QtCore, QtWidgets
+from .. import combs, places
 from . import overlay
 
 _COMB_COLORS = ((0.85, 0.10, 0.35), (0.10, 0.35, 0.90))
-_zebras, _combs = {}, {}
-
-
-def zebra_nodes(layer, shape):
-    """Draws stripes over every face of a shape."""
-    texture = overlay.stripes()
-    deflection = meshes.fineness(shape)
-    for face in shape.Faces:
-        # A large model takes seconds: the window repaints meanwhile, but takes no clicks.
-        QtWidgets.QApplication.processEvents(QtCore.QEventLoop.ExcludeUserInputEvents)
-        layer.mesh(*meshes.mesh_of(face, deflection), (1.0, 1.0, 1.0), 0.0, texture)
+_layers = {}
 
 
 def comb_nodes(layer, shape, edges, stretch=1.0):
@@ -32,56 +21,42 @@ def comb_nodes(layer, shape, edges, stretch=1.0):
         layer.lines(combs.hairs(comb, scale), _COMB_COLORS[side % 2], 1.5)
 
 
-def toggle_zebra(item):
-    """Stripes on, or off where there are some."""
-    return _toggle(_zebras, item, lambda layer, shape: zebra_nodes(layer, shape))
-
-
 def toggle_combs(item):
     """Combs at the selected edges, or at every edge where none is selected; or off."""
-
-    def draw(layer, shape):
-        comb_nodes(layer, shape, item.edges or range(1, len(shape.Edges) + 1))
-
-    return _toggle(_combs, item, draw)
-
-
-def _toggle(layers, item, draw):
     key = (item.obj.Document.Name, item.obj.Name)
-    if key in layers:
-        layers.pop(key).close()
+    if key in _layers:
+        _layers.pop(key).close()
         return False
     layer = overlay.Overlay(places.shown_at(item))
-    layers[key] = layer  # before the drawing: events go on meanwhile
     _watch()
+    shape = places.local_shape(item.obj)
     try:
-        draw(layer, places.local_shape(item.obj))
+        comb_nodes(layer, shape, item.edges or range(1, len(shape.Edges) + 1))
     except BaseException:
-        layers.pop(key, layer).close()
+        layer.close()
         raise
+    _layers[key] = layer
     return True
 
 
 class _Follower:
-    """Takes drawings away when their object changes or goes."""
+    """Takes combs away when their object changes, is hidden or goes."""
 
     def slotChangedObject(self, obj, name):
-        if name in ("Shape", "Placement"):
+        if name in ("Shape", "Placement") or name == "Visibility" and not obj.Visibility:
             self._drop(obj)
 
     def slotDeletedObject(self, obj):
         self._drop(obj)
 
     def slotDeletedDocument(self, document):
-        for layers in (_zebras, _combs):
-            for key in [key for key in layers if key[0] == document.Name]:
-                layers.pop(key).close()
+        for key in [key for key in _layers if key[0] == document.Name]:
+            _layers.pop(key).close()
 
     def _drop(self, obj):
-        key = (obj.Document.Name, obj.Name)
-        for layers in (_zebras, _combs):
-            if key in layers:
-                layers.pop(key).close()
+        layer = _layers.pop((obj.Document.Name, obj.Name), None)
+        if layer is not None:
+            layer.close()
 
 
 _follower = None

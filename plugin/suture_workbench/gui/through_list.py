@@ -4,10 +4,13 @@
 from pathlib import Path
 
 import FreeCAD as App
+import FreeCADGui as Gui
 
 from .. import places
 from ..compat import QtCore, QtWidgets, translate
 from ..errors import SutureError
+from . import failures
+from .panel import find, load_form
 
 
 def read_points(path):
@@ -29,32 +32,25 @@ def read_points(path):
     return points
 
 
-class ThroughList(QtWidgets.QGroupBox):
+class ThroughList(QtWidgets.QWidget):
     """`references` to vertices and edges of any object, and loose `points` of the base."""
 
     changed = QtCore.Signal()
 
     def __init__(self, base):
-        super().__init__(translate("Pass through"))
+        super().__init__()
         self.references, self.points = [], []
         self._base = base
-        self.list = QtWidgets.QListWidget()
-        self.list.setMaximumHeight(60)
-        add = QtWidgets.QPushButton(translate("Add selected"))
-        add.setObjectName("SutureAddThrough")
-        add.setToolTip(
-            translate("Select vertices or edges, of a sketch for example, then click here")
-        )
-        load = QtWidgets.QPushButton(translate("From file…"))
-        load.setToolTip(translate("Points from a text file with x, y, z on each line"))
-        clear = QtWidgets.QPushButton(translate("Clear"))
-        row = QtWidgets.QHBoxLayout()
-        for button, action in ((add, self._add), (load, self._load), (clear, self._clear)):
-            button.clicked.connect(action)
-            row.addWidget(button)
+        self._form = form = load_form("through")
         layout = QtWidgets.QVBoxLayout(self)
-        layout.addWidget(self.list)
-        layout.addLayout(row)
+        layout.setContentsMargins(0, 0, 0, 0)
+        layout.addWidget(form)
+        for name, action in (
+            ("SutureAddThrough", self._add),
+            ("SutureLoadThrough", self._load),
+            ("SutureClearThrough", self._clear),
+        ):
+            find(form, name).clicked.connect(action)
         self._show()
 
     def set(self, references, points):
@@ -63,14 +59,16 @@ class ThroughList(QtWidgets.QGroupBox):
         self._show()
 
     def _add(self):
-        import FreeCADGui as Gui
-
+        added = []
         for entry in Gui.Selection.getSelectionEx("", 0):
             for sub in entry.SubElementNames or ("",):
                 obj, _, element = places.resolve(entry.Object, sub)
-                if obj is self._base and not element:
-                    continue
-                self.references.append((obj, (element,)))
+                if obj is not self._base or element[:4] in ("Edge", "Vert"):
+                    added.append((obj, (element,)))
+        if not added:
+            failures.show(SutureError(translate("Select vertices or edges first.")))
+            return
+        self.references += added
         self._show()
         self.changed.emit()
 
@@ -86,8 +84,6 @@ class ThroughList(QtWidgets.QGroupBox):
 
     def load(self, path):
         """Adds the points of a file; they are in the document's coordinates."""
-        from . import failures
-
         try:
             points = read_points(path)
         except (SutureError, OSError, UnicodeDecodeError) as error:
@@ -104,9 +100,10 @@ class ThroughList(QtWidgets.QGroupBox):
         self.changed.emit()
 
     def _show(self):
-        self.list.clear()
+        shown = find(self._form, "SutureThrough", QtWidgets.QListWidget)
+        shown.clear()
         for obj, subs in self.references:
-            self.list.addItem(f"{obj.Label}  {', '.join(subs)}")
+            shown.addItem(f"{obj.Label}  {', '.join(subs)}")
         if self.points:
-            self.list.addItem(translate("{} points").format(len(self.points)))
-        self.list.setVisible(self.list.count() > 0)
+            shown.addItem(translate("{} points").format(len(self.points)))
+        shown.setVisible(shown.count() > 0)

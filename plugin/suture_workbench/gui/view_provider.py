@@ -3,12 +3,16 @@
 
 import FreeCADGui as Gui
 
-from .. import RESOURCES, exchange, places
-from ..compat import Stateless, face_colors, set_face_colors
+from .. import RESOURCES, exchange, parts, places
+from ..compat import QtCore, Stateless, face_colors, plain_color, set_face_colors, translate
+from ..errors import SutureError
+from . import failures
 
 
 class FilledShapeView(Stateless):
     """View provider of feature.FilledShape."""
+
+    _panel = None  # the one in which it is edited
 
     def __init__(self, view_object):
         view_object.Proxy = self
@@ -30,17 +34,20 @@ class FilledShapeView(Stateless):
     def keep_colors(self, obj):
         """The old faces have the colours that they have in the base, new ones its first colour."""
         base = obj.Base[0] if obj.Base else None
-        view = getattr(base, "ViewObject", None)
-        if view is None or not hasattr(view, "DiffuseColor"):
+        if base is None:
+            return
+        views = [leaf.ViewObject for leaf in parts.leaf_objects(base)]
+        views = [view for view in views if view is not None and hasattr(view, "DiffuseColor")]
+        if not views:
             return
         before, after = len(places.shape_of(base).Faces), len(obj.Shape.Faces)
         origins = exchange.face_origins(obj.NewFaces, before, after)
-        colors = face_colors(view)
-        obj.ViewObject.ShapeColor = view.ShapeColor
-        obj.ViewObject.Transparency = view.Transparency
+        colors = [color for view in views for color in _colors_of(view)]
+        obj.ViewObject.ShapeColor = views[0].ShapeColor
+        obj.ViewObject.Transparency = views[0].Transparency
         if origins is None or len(colors) != before:
             return
-        plain = tuple(float(part) for part in view.ShapeColor)
+        plain = plain_color(views[0])
         set_face_colors(
             obj.ViewObject, [plain if origin is None else colors[origin] for origin in origins]
         )
@@ -52,7 +59,13 @@ class FilledShapeView(Stateless):
         return True
 
     def doubleClicked(self, view_object):
-        return self.setEdit(view_object)
+        obj = view_object.Object
+        if Gui.Control.activeDialog():
+            failures.show(SutureError(translate("Finish the open task first.")))
+            return True
+        # After the tree has closed its transaction: to look is no step of undo.
+        QtCore.QTimer.singleShot(0, lambda: _edit(obj))
+        return True
 
     def setEdit(self, view_object, mode=0):
         from .fill_panel import FillPanel
@@ -60,9 +73,31 @@ class FilledShapeView(Stateless):
         if mode != 0:
             return None
         obj = view_object.Object
-        Gui.Control.closeDialog()
-        FillPanel.edit(obj).show(obj.Document)
+        try:
+            self._panel = FillPanel.edit(obj).show(obj.Document)
+        except SutureError as error:
+            failures.show(error)
+            return False
         return True
 
     def unsetEdit(self, view_object, mode=0):
-        return None
+        """Esc, a second object that is edited, a document that is closed: the panel goes as by Cancel."""
+        panel, self._panel = self._panel, None
+        if panel is not None:
+            panel.close()
+        return True
+
+
+def _edit(obj):
+    try:
+        if places.exists(obj):
+            Gui.getDocument(obj.Document.Name).setEdit(obj.Name)
+    except Exception as error:  # the last place where it can be shown
+        failures.show(error)
+
+
+def _colors_of(view):
+    """One colour for each face."""
+    count = len(view.Object.Shape.Faces)
+    colors = face_colors(view)
+    return colors if len(colors) == count else [plain_color(view)] * count

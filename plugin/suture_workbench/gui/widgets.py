@@ -2,11 +2,10 @@
 """Small widgets that the panels share."""
 
 import FreeCAD as App
-import FreeCADGui as Gui
 
-from ..compat import QtCore, QtGui, QtWidgets, as_int, translate
-
-Buttons = QtWidgets.QDialogButtonBox
+from .. import settings
+from ..compat import QtCore, QtWidgets, translate
+from .panel import put
 
 
 def number_box(value, suffix, tip, maximum=1000.0, decimals=6):
@@ -22,6 +21,25 @@ def number_box(value, suffix, tip, maximum=1000.0, decimals=6):
     return box
 
 
+def limit_boxes(form):
+    """The boxes for gap, angle and curvature, put into a form that has their places."""
+    return [
+        put(form, "gapPlace", number_box(settings.gap(), "mm", translate("Largest gap"))),
+        put(
+            form,
+            "anglePlace",
+            number_box(settings.angle(), "°", translate("Largest angle of tangent joins")),
+        ),
+        put(
+            form,
+            "curvaturePlace",
+            number_box(
+                settings.curvature(), "%", translate("Largest curvature mismatch of G2 joins")
+            ),
+        ),
+    ]
+
+
 class Tolerance(QtWidgets.QDoubleSpinBox):
     """A spin box that shows as many digits as there are."""
 
@@ -30,11 +48,24 @@ class Tolerance(QtWidgets.QDoubleSpinBox):
         return text.rstrip("0").rstrip(self.locale().decimalPoint())
 
 
+# Letters on a ground of their own: they can be read in dark and light themes.
+_LOOKS = {
+    "good": "background: #d9efd9; color: #1d4d1d; padding: 3px; border-radius: 3px;",
+    "bad": "background: #fadfd2; color: #7a2a08; padding: 3px; border-radius: 3px;",
+    "plain": "",
+    "busy": "",
+}
+
+
 class Status(QtWidgets.QWidget):
-    """A line of text, a bar while something runs, and a button that stops it."""
+    """A line of text, a bar while something runs, and a button that stops it.
+
+    state   "busy", or how the last run ended: "good", "bad", "plain"
+    """
 
     def __init__(self, stop):
         super().__init__()
+        self.state = "plain"
         layout = QtWidgets.QVBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
         self.label = QtWidgets.QLabel()
@@ -47,110 +78,51 @@ class Status(QtWidgets.QWidget):
         self.button.setObjectName("SutureStop")
         self.button.clicked.connect(stop)
         row = QtWidgets.QHBoxLayout()
-        row.addWidget(self.bar)
+        row.addWidget(self.bar, 1)
         row.addWidget(self.button)
+        self.way_on = QtWidgets.QPushButton()
+        self.way_on.setObjectName("SutureWayOn")
+        self.way_on.clicked.connect(lambda *_: self._action())
+        self._action = lambda: None
         layout.addWidget(self.label)
         layout.addLayout(row)
+        layout.addWidget(self.way_on)
+        self.way_on.hide()
         self.bar.hide()
         self.button.hide()
 
     def advance(self, fraction, stage):
-        self._busy(True)
         self.bar.setValue(int(1000 * fraction))
-        self._say(stage or translate("Working…"), "")
+        self._say(stage or translate("Working…"), "busy")
 
     def good(self, text):
-        self._end(text, "#2a7f2a")
+        self._say(text, "good")
 
     def bad(self, text):
-        self._end(text, "#b8461f")
+        self._say(text, "bad")
 
     def plain(self, text):
-        self._end(text, "")
+        self._say(text, "plain")
 
-    def _end(self, text, color):
-        self._busy(False)
-        self._say(text, color)
+    def offer(self, text, action):
+        """A button below the text, for what the user can do about it."""
+        self._action = action
+        self.way_on.setText(text)
+        self.way_on.show()
 
-    def _say(self, text, color):
+    def _say(self, text, state):
         # Only what changes: setting a style again costs a tenth of a second of layout each time.
+        self.state = state
+        self.label.setProperty("state", state)
+        self.way_on.hide()
         if text != self.label.text():
             self.label.setText(text)
-        style = f"color: {color};" if color else ""
-        if style != self.label.styleSheet():
-            self.label.setStyleSheet(style)
-
-    def _busy(self, busy):
+        if _LOOKS[state] != self.label.styleSheet():
+            self.label.setStyleSheet(_LOOKS[state])
+        busy = state == "busy"
         if busy != self.button.isVisibleTo(self):
             self.bar.setVisible(busy)
             self.button.setVisible(busy)
-
-
-class Panel:
-    """A task panel: `form`, and the buttons that FreeCAD puts above it."""
-
-    icon = ""
-    title = ""
-    buttons = (Buttons.Close,)
-    _guard = None
-
-    def __init__(self):
-        self.form = QtWidgets.QWidget()
-        self.form.setWindowTitle(self.title)
-        self.form.setObjectName(type(self).__name__)
-        if self.icon:
-            self.form.setWindowIcon(QtGui.QIcon(self.icon))
-        self.layout = QtWidgets.QVBoxLayout(self.form)
-
-    def show(self, document=None):
-        """Opens the panel; it goes when `document` does."""
-        self._guard = _Guard(self, document) if document is not None else None
-        Gui.Control.showDialog(self)
-        return self
-
-    def close(self):
-        """Takes the panel away."""
-        if self._guard is not None:
-            App.removeDocumentObserver(self._guard)
-            self._guard = None
-        self.leave()
-        Gui.Control.closeDialog()
-        if Gui.ActiveDocument is not None:
-            Gui.ActiveDocument.resetEdit()
-
-    def getStandardButtons(self):
-        total = 0
-        for button in self.buttons:
-            total |= as_int(button)
-        return total
-
-    def isAllowedAlterSelection(self):
-        return True
-
-    def isAllowedAlterView(self):
-        return True
-
-    def isAllowedAlterDocument(self):
-        return False
-
-    def reject(self):
-        self.close()
-        return True
-
-    def leave(self):
-        """Takes away what the panel has drawn and started."""
-
-
-class _Guard:
-    """Closes a panel when its document is closed."""
-
-    def __init__(self, panel, document):
-        self._panel, self._name = panel, document.Name
-        App.addDocumentObserver(self)
-
-    def slotDeletedDocument(self, document):
-        if document.Name == self._name:
-            self._panel.close()
 
 
 def length(value):
@@ -158,10 +130,9 @@ def length(value):
     return App.Units.Quantity(value, App.Units.Length).UserString
 
 
-def heading(text):
+def show_heading(label, text):
     """The label of what a panel works on; a long one does not widen the panel."""
-    label = QtWidgets.QLabel(f"<b>{text}</b>")
+    label.setText(f"<b>{text}</b>")
     label.setWordWrap(True)
     label.setSizePolicy(QtWidgets.QSizePolicy.Ignored, QtWidgets.QSizePolicy.Preferred)
     label.setToolTip(text)
-    return label

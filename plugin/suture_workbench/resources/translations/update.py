@@ -4,7 +4,7 @@
 
     update.py [LANGUAGE...]   by default those that there are; a new one (update.py fr) begins empty
 
-Every text in translate("…") and mark("…") is taken. What has been translated stays; what is gone from
+Every text in translate("…"), mark("…"), QT_TRANSLATE_NOOP("context", "…") and in the .ui files is taken. What has been translated stays; what is gone from
 the sources goes. Needs lrelease (Debian: qttools5-dev-tools).
 """
 
@@ -20,40 +20,58 @@ CONTEXT = "Suture"
 
 
 def texts():
-    """{text: first place} of everything to translate, in the order of the sources."""
+    """{(context, text): first place} of everything to translate, in the order of the sources."""
     found = {}
     for path in sorted(SOURCES.rglob("*.py")):
-        tree = ast.parse(path.read_text(encoding="utf-8"), str(path))
-        for node in ast.walk(tree):
-            if not (
-                isinstance(node, ast.Call) and getattr(node.func, "id", "") in ("translate", "mark")
-            ):
-                continue
-            for argument in node.args[:1]:
-                if isinstance(argument, ast.Constant) and isinstance(argument.value, str):
-                    found.setdefault(argument.value, f"{path.relative_to(SOURCES)}")
+        place = str(path.relative_to(SOURCES))
+        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"), str(path))):
+            if isinstance(node, ast.Call):
+                for context, text in _texts_of(node):
+                    found.setdefault((context, text), place)
+    for path in sorted(SOURCES.rglob("*.ui")):
+        form = ElementTree.parse(path).getroot()
+        for string in form.iter("string"):
+            if string.text and string.get("notr") != "true":
+                place = str(path.relative_to(SOURCES))
+                found.setdefault((form.findtext("class"), string.text), place)
     return found
 
 
+def _texts_of(call):
+    """The texts of translate("…"), mark("…") and QT_TRANSLATE_NOOP("context", "…")."""
+    constants = [node.value for node in call.args if isinstance(node, ast.Constant)]
+    name = getattr(call.func, "id", "")
+    if name in ("translate", "mark") and isinstance((constants or [0])[0], str):
+        return [(CONTEXT, constants[0])]
+    if name == "QT_TRANSLATE_NOOP" and len(constants) == 2:
+        return [tuple(constants)]
+    return []
+
+
 def translations(file):
-    """{text: translation} of a .ts file."""
+    """{(context, text): translation} of a .ts file."""
     if not file.exists():
         return {}
-    messages = ElementTree.parse(file).getroot().iter("message")
-    return {m.findtext("source"): m.findtext("translation") or "" for m in messages}
+    return {
+        (context.findtext("name"), message.findtext("source")): message.findtext("translation") or ""
+        for context in ElementTree.parse(file).getroot().iter("context")
+        for message in context.iter("message")
+    }
 
 
 def write(file, language, known):
     root = ElementTree.Element("TS", version="2.1", language=language, sourcelanguage="en")
-    context = ElementTree.SubElement(root, "context")
-    ElementTree.SubElement(context, "name").text = CONTEXT
-    for text, place in texts().items():
-        message = ElementTree.SubElement(context, "message")
+    contexts = {}
+    for (context, text), place in texts().items():
+        if context not in contexts:
+            contexts[context] = ElementTree.SubElement(root, "context")
+            ElementTree.SubElement(contexts[context], "name").text = context
+        message = ElementTree.SubElement(contexts[context], "message")
         ElementTree.SubElement(message, "location", filename=place)
         ElementTree.SubElement(message, "source").text = text
         translation = ElementTree.SubElement(message, "translation")
-        if known.get(text):
-            translation.text = known[text]
+        if known.get((context, text)):
+            translation.text = known[context, text]
         else:
             translation.set("type", "unfinished")
     ElementTree.indent(root)
