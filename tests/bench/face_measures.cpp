@@ -95,6 +95,7 @@ int main(int argc, char** argv) {
         result["overlays"].push_back({{"faces", {overlay.face, overlay.other}},
                                       {"share", overlay.share},
                                       {"distance", overlay.distance},
+                                      {"neighbours", overlay.neighbours},
                                       {"opposed", overlay.opposed}});
     }
     std::cout << result.dump(1) << '\n';

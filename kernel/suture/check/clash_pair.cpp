@@ -1,5 +1,7 @@
 #include "suture/check/clash_pair.h"
 
+#include <algorithm>
+
 namespace suture {
 
 namespace {
@@ -8,12 +10,32 @@ namespace {
 constexpr int kPointsOnMeeting = 3;
 // The first step away from a crossing, in tolerances.
 constexpr double kFirstStep = 2.0;
+// Corners of two cells nearer to each other than this part of their size are one.
+constexpr double kSameCorner = 1e-7;
 
 using Triangle = std::array<std::size_t, 3>;
 constexpr std::array<Triangle, 2> kTriangles = {{{0, 1, 2}, {0, 2, 3}}};
 
 std::array<Eigen::Vector3d, 3> triangle_of(const SurfaceTree::Cell& cell, const Triangle& t) {
     return {cell.corners.at(t[0]), cell.corners.at(t[1]), cell.corners.at(t[2])};
+}
+
+ParameterBox united(const ParameterBox& a, const ParameterBox& b) {
+    return {{std::min(a.low[0], b.low[0]), std::min(a.low[1], b.low[1])},
+            {std::max(a.high[0], b.high[0]), std::max(a.high[1], b.high[1])}};
+}
+
+/// Across a seam, or at a pole, where any number of cells meet.
+bool share_corner(const SurfaceTree::Cell& one, const SurfaceTree::Cell& two) {
+    const double same = kSameCorner * (one.box.diagonal().norm() + two.box.diagonal().norm());
+    for (const Eigen::Vector3d& p : one.corners) {
+        for (const Eigen::Vector3d& q : two.corners) {
+            if ((p - q).squaredNorm() <= same * same) {
+                return true;
+            }
+        }
+    }
+    return false;
 }
 
 /// Parameters of a point of one of the cell's triangles.
@@ -47,12 +69,15 @@ void ClashPair::look(int i, int j) {
     const bool leaf_a = is_leaf(a_.cell(i));
     const bool leaf_b = is_leaf(b_.cell(j));
     if (is_self() && i == j) {
-        if (!leaf_a) {
+        if (!leaf_a && !passes_not_itself(i, i)) {
             const int first = a_.split(i);
             look(first, first);
             look(first, first + 1);
             look(first + 1, first + 1);
         }
+        return;
+    }
+    if (is_self() && a_.cell(i).uv.meets(a_.cell(j).uv) && passes_not_itself(i, j)) {
         return;
     }
     if (leaf_a && leaf_b) {
@@ -71,8 +96,25 @@ void ClashPair::look(int i, int j) {
     }
 }
 
+/// Over the box around two cells that touch: proven by the control net, else seen by their points.
+bool ClashPair::passes_not_itself(int i, int j) const {
+    const SurfaceTree::Cell& one = a_.cell(i);
+    const SurfaceTree::Cell& two = a_.cell(j);
+    if (a_.is_injective(united(one.uv, two.uv))) {
+        return true;
+    }
+    if (!one.flat_known || !two.flat_known) {
+        return false;
+    }
+    std::vector<Eigen::Vector3d> by_u = one.by_u;
+    std::vector<Eigen::Vector3d> by_v = one.by_v;
+    by_u.insert(by_u.end(), two.by_u.begin(), two.by_u.end());
+    by_v.insert(by_v.end(), two.by_v.begin(), two.by_v.end());
+    return is_monotone(by_u, by_v);
+}
+
 void ClashPair::meet(const SurfaceTree::Cell& one, const SurfaceTree::Cell& two) {
-    if (is_self() && one.uv.meets(two.uv)) {
+    if (is_self() && (one.uv.meets(two.uv) || share_corner(one, two))) {
         return;
     }
     const double margin = tolerance_ + one.sag + two.sag;

@@ -31,6 +31,7 @@ class ClashPair {
     }
     [[nodiscard]] bool is_self() const { return &a_ == &b_; }
     void look(int i, int j);
+    [[nodiscard]] bool passes_not_itself(int i, int j) const;
     void meet(const SurfaceTree::Cell& one, const SurfaceTree::Cell& two);
     void refine(const std::array<double, 2>& uv_a, const std::array<double, 2>& uv_b);
 

@@ -1,6 +1,7 @@
 #include "suture/check/clashes.h"
 
 #include "suture/check/clash_pair.h"
+#include "suture/check/face_border.h"
 #include "suture/check/surface_tree.h"
 #include "suture/occ/guard.h"
 #include "suture/occ/topology.h"
@@ -29,6 +30,8 @@ constexpr int kFinestGrid = 96;
 constexpr int kFewestPoints = 40;
 // A face lies on another with more than this part of it: along sharp edges any has a little.
 constexpr double kLeastShare = 0.1;
+// How near to a neighbour, against its own width, a face lies on it.
+constexpr double kOnNeighbour = 0.05;
 
 /// The inner points of a face on a grid, with the area that each stands for.
 std::vector<std::pair<SurfacePoint, double>> points_of(const SurfaceTree& tree) {
@@ -130,6 +133,14 @@ class Search {
         return TopoDS::Face(numbering_.faces(face));
     }
 
+    SurfaceTree& tree_of(int face) {
+        auto& tree = trees_[face];
+        if (!tree) {
+            tree = std::make_unique<SurfaceTree>(face_of(face), face);
+        }
+        return *tree;
+    }
+
     static void add(int face, int other, const std::optional<Crossing>& crossing,
                     ClashReport& report) {
         if (crossing) {
@@ -148,15 +159,20 @@ class Search {
 
     void look_at(SurfaceTree& tree, const std::vector<std::pair<SurfacePoint, double>>& points,
                  int other, bool clashes_too, double resolution, ClashReport& report) {
-        SurfaceTree second(face_of(other), other);
+        SurfaceTree& second = tree_of(other);
+        const SharedBorder shared(face_of(tree.number()), face_of(other));
         if (clashes_too) {
-            const SharedBorder shared(face_of(tree.number()), face_of(other));
             add(tree.number(), other,
                 ClashPair(tree, second, shared, tolerance_, resolution).deepest(), report);
         }
         const bool same_sense =
             face_of(tree.number()).Orientation() == face_of(other).Orientation();
-        if (auto overlay = overlay_of(points, second, same_sense, on_surface_)) {
+        const double near =
+            shared.has_edges()
+                ? std::max(on_surface_, kOnNeighbour * width_of(face_of(tree.number()), tree))
+                : on_surface_;
+        if (auto overlay = overlay_of(points, second, same_sense, near)) {
+            overlay->neighbours = shared.has_edges();
             overlay->face = tree.number();
             overlay->other = other;
             report.overlays.push_back(*overlay);
@@ -166,6 +182,7 @@ class Search {
     const occ::Numbering& numbering_;
     double tolerance_, on_surface_;
     std::vector<Bnd_Box> boxes_;
+    std::map<int, std::unique_ptr<SurfaceTree>> trees_;
 };
 
 }  // namespace

@@ -25,8 +25,9 @@ struct Overlay {
     int face = 0;        ///< FaceN, 1-based: one of the faces asked for
     int other = 0;       ///< FaceN
     double share = 0.0;  ///< part of the face's area from which the other is nearer than the limit
-    double distance = 0.0;  ///< the mean over that part
-    bool opposed = false;   ///< their outward normals point apart: back on back
+    double distance = 0.0;    ///< the mean over that part
+    bool neighbours = false;  ///< they share an edge
+    bool opposed = false;     ///< their outward normals point apart: back on back
     Eigen::Vector3d at = Eigen::Vector3d::Zero();
 };
 
@@ -44,7 +45,10 @@ struct ClashReport {
 /// that they share, and if both reach farther beyond it, on either side, than the tolerance and the
 /// tolerances of the shared edges. Touching is no clash. docs/check.md tells the details.
 ///
-/// Input    faces: FaceN of the shape, 1-based; on_surface: how near is lying on the other.
+/// Input    faces: FaceN of the shape, 1-based; on_surface: how near is lying on the other. On a
+/// face
+///          with which it shares an edge a face lies from a twentieth of its width on: it was built
+///          on that edge, and a wall that near to its own back is not.
 /// Refuses  a null shape, a face that does not exist, limits that are not positive (Usage); a
 ///          cancelled run. A pair that OCCT cannot evaluate is passed over.
 [[nodiscard]] Result<ClashReport> find_clashes(const TopoDS_Shape& shape,

@@ -139,6 +139,7 @@ void SharedBorder::add_edge(const TopoDS_Shape& shape) {
     for (int i = 0; i <= kEdgePoints; ++i) {
         added.t.push_back(first + (last - first) * i / kEdgePoints);
         added.points.push_back(to_eigen(added.curve.Value(added.t.back())));
+        added.box.extend(added.points.back());
         if (i > 0) {
             added.step =
                 std::max(added.step, (added.points.back() - *(added.points.end() - 2)).norm());
@@ -160,6 +161,9 @@ bool SharedBorder::is_near(const Eigen::Vector3d& point, double distance) const 
     }
     for (const Edge& edge : edges_) {
         const double wanted = distance + edge.tolerance;
+        if (edge.box.exteriorDistance(point) > wanted + edge.step) {
+            continue;
+        }
         for (std::size_t i = 0; i < edge.points.size(); ++i) {
             const double here = (edge.points[i] - point).norm();
             if (here <= wanted) {

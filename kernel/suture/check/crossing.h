@@ -16,6 +16,7 @@ class SharedBorder {
   public:
     SharedBorder(const TopoDS_Face& one, const TopoDS_Face& two);
 
+    [[nodiscard]] bool has_edges() const { return !edges_.empty(); }
     /// Largest tolerance of these edges and vertices.
     [[nodiscard]] double tolerance() const { return tolerance_; }
     /// The point is nearer to one of them than this and the edge's own tolerance.
@@ -28,6 +29,7 @@ class SharedBorder {
         std::vector<double> t;
         std::vector<Eigen::Vector3d> points;
         double step = 0.0;  ///< the longest between two points
+        Eigen::AlignedBox3d box;
     };
     struct Vertex {
         Eigen::Vector3d point;

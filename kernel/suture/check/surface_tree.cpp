@@ -119,6 +119,9 @@ SurfaceTree::SurfaceTree(const TopoDS_Face& face, int number) : number_(number),
                {surface_.LastUParameter(), surface_.LastVParameter()}};
     bounded_ = {!surface_.IsUPeriodic() && !Precision::IsInfinite(bounds_.size(0)),
                 !surface_.IsVPeriodic() && !Precision::IsInfinite(bounds_.size(1))};
+    if (surface_.GetType() == GeomAbs_BSplineSurface) {
+        net_ = make_derivative_net(surface_.BSpline(), to_model_);
+    }
     ParameterBox box = domain_.box();
     box.low = clamped(box.low);
     box.high = clamped(box.high);
@@ -139,6 +142,10 @@ bool SurfaceTree::can_meet_itself() const {
     const GeomAbs_SurfaceType type = surface_.GetType();
     return type == GeomAbs_Torus ? surface_.Torus().MinorRadius() > surface_.Torus().MajorRadius()
                                  : type > GeomAbs_Torus;
+}
+
+bool SurfaceTree::is_injective(const ParameterBox& box) const {
+    return net_ && net_->is_monotone(box);
 }
 
 bool SurfaceTree::has_break(const ParameterBox& uv, std::size_t k) const {
@@ -166,6 +173,10 @@ SurfaceTree::Cell SurfaceTree::make_cell(const ParameterBox& uv, std::vector<int
     }
     cell.corners = {p[0][0], p[2][0], p[2][2], p[0][2]};
     cell.flat_known = !has_break(uv, 0) && !has_break(uv, 1);
+    if (!cell.flat_known && net_ && net_->covers(uv)) {
+        cell.box.extend(net_->hull(uv));
+        return cell;
+    }
     if (!cell.flat_known) {
         Bnd_Box box;
         BndLib_AddSurface::Add(surface_, uv.low[0], uv.high[0], uv.low[1], uv.high[1], 0.0, box);
@@ -177,6 +188,12 @@ SurfaceTree::Cell SurfaceTree::make_cell(const ParameterBox& uv, std::vector<int
             cell.box.extend(to_eigen(box.CornerMax()));
         }
         return cell;
+    }
+    for (std::size_t k = 0; k < 3; ++k) {
+        for (const std::size_t i : {0U, 1U}) {
+            cell.by_u.emplace_back((p.at(i + 1).at(k) - p.at(i).at(k)) / uv.size(0));
+            cell.by_v.emplace_back((p.at(k).at(i + 1) - p.at(k).at(i)) / uv.size(1));
+        }
     }
     // From the triangles of the corners 0 1 2 and 0 2 3.
     const auto off = [](const Eigen::Vector3d& a, const Eigen::Vector3d& b) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "suture/check/derivative_net.h"
 #include "suture/check/face_domain.h"
 
 #include <Eigen/Geometry>
@@ -37,9 +38,10 @@ class SurfaceTree {
         bool flat_known = false;  ///< small enough for its points to tell its shape
         double sag = 0.0;         ///< how far it may be from the two triangles of its corners
         FaceDomain::Part part = FaceDomain::Part::Border;
-        std::vector<int> near;                   ///< pieces of the face's loops that may pass it
-        int children = -1;                       ///< first of two; -1: not made yet
-        std::array<Eigen::Vector3d, 4> corners;  ///< low low, high low, high high, low high
+        std::vector<int> near;                    ///< pieces of the face's loops that may pass it
+        int children = -1;                        ///< first of two; -1: not made yet
+        std::vector<Eigen::Vector3d> by_u, by_v;  ///< derivatives, by differences; if flat_known
+        std::array<Eigen::Vector3d, 4> corners;   ///< low low, high low, high high, low high
     };
 
     SurfaceTree(const TopoDS_Face& face, int number);
@@ -51,6 +53,10 @@ class SurfaceTree {
     [[nodiscard]] const Cell& cell(int i) const { return cells_[static_cast<std::size_t>(i)]; }
     /// The first of the two halves of a cell; invalidates references to cells.
     int split(int i);
+
+    /// Proven not to pass through itself over the box: by the control net of a polynomial spline,
+    /// for some plane the projected surface is a monotone map of it.
+    [[nodiscard]] bool is_injective(const ParameterBox& box) const;
 
     [[nodiscard]] SurfacePoint at(double u, double v) const;
     [[nodiscard]] Eigen::Vector3d point(double u, double v) const;
@@ -82,6 +88,7 @@ class SurfaceTree {
     std::array<bool, 2> bounded_ = {false, false};
     /// Where the surface's shape may change in each direction: knots, and parts of a turn.
     std::array<std::vector<double>, 2> breaks_;
+    std::optional<DerivativeNet> net_;  ///< of a spline
     std::vector<Cell> cells_;
 };
 

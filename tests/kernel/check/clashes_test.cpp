@@ -118,7 +118,7 @@ TEST(Clashes, FindsNoneInSoundBodies) {
     }
     for (const TopoDS_Shape& body :
          {box, fillet.Shape(), shapes::capsule(3.0), shapes::rounded_rim(5.0, 2.0),
-          shapes::plane_into_cylinder(40.0), shapes::folded_planes(radians(175.0)),
+          shapes::plane_into_cylinder(40.0), shapes::folded_planes(radians(150.0)),
           BRepPrimAPI_MakeSphere(7.0).Shape()}) {
         const auto report = look(body);
         EXPECT_TRUE(report.clashes.empty());
