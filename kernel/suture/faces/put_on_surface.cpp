@@ -7,7 +7,7 @@
 
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
-#include <Geom2d_Curve.hxx>
+#include <Geom2d_BSplineCurve.hxx>
 #include <Geom_Curve.hxx>
 #include <Geom_Plane.hxx>
 #include <TopExp.hxx>
@@ -23,14 +23,16 @@ namespace {
 using occ::Handle;
 using Trim = std::function<Eigen::Vector2d(double)>;
 
-/// Samples per edge for the distance between its curve and the new surface.
+/// Samples per edge for the distance between its curve and the new surface: at least so many, and
+/// so many for each pole of a pcurve, which may be off its feet by as much between any two of them.
 constexpr int kSamples = 400;
+constexpr int kSamplesPerPole = 4;
 
 /// Golden sections of the intervals about a peak among the samples: below 1e-6 of its width.
 constexpr int kSections = 28;
 
 /// Peaks this much lower than the highest sample cannot hide the largest distance.
-constexpr double kWorthALook = 0.5;
+constexpr double kWorthALook = 0.8;
 
 /// A tolerance covers the largest distance found and a little more.
 constexpr double kMargin = 1.01;
@@ -62,17 +64,18 @@ double peak(const std::function<double(double)>& f, double low, double high) {
 
 /// The largest distance along an edge: BRepCheck samples elsewhere than we do, so that the peaks
 /// count.
-double largest_along(double first, double last, const std::function<double(double)>& distance) {
-    const auto parameter = [&](int k) { return first + (last - first) * k / kSamples; };
+double largest_along(double first, double last, const std::function<double(double)>& distance,
+                     int intervals = kSamples) {
+    const auto parameter = [&](int k) { return first + (last - first) * k / intervals; };
     std::vector<double> samples;
-    for (int k = 0; k <= kSamples; ++k) {
+    for (int k = 0; k <= intervals; ++k) {
         samples.push_back(distance(parameter(k)));
     }
     const double highest = *std::max_element(samples.begin(), samples.end());
     double largest = highest;
-    for (int k = 0; k <= kSamples; ++k) {
+    for (int k = 0; k <= intervals; ++k) {
         const int before = std::max(k - 1, 0);
-        const int after = std::min(k + 1, kSamples);
+        const int after = std::min(k + 1, intervals);
         const auto value = [&](int i) { return samples[static_cast<std::size_t>(i)]; };
         if (value(k) >= std::max({value(before), value(after), kWorthALook * highest})) {
             largest = std::max(largest, peak(distance, parameter(before), parameter(after)));
@@ -102,15 +105,24 @@ struct Course {
           curve(BRep_Tool::Curve(edge, first, last)) {}
 
     /// The largest distance to the points of a surface at the same parameter.
-    [[nodiscard]] double distance(const Geom_Surface& surface, const Trim& at) const {
-        return largest_along(first, last, [&](double t) {
-            const Eigen::Vector2d uv = at(t);
-            return curve->Value(t).Distance(surface.Value(uv.x(), uv.y()));
-        });
+    [[nodiscard]] double distance(const Geom_Surface& surface, const Trim& at,
+                                  int intervals = kSamples) const {
+        return largest_along(
+            first, last,
+            [&](double t) {
+                const Eigen::Vector2d uv = at(t);
+                return curve->Value(t).Distance(surface.Value(uv.x(), uv.y()));
+            },
+            intervals);
     }
 
-    [[nodiscard]] double distance(const Geom_Surface& surface, const Geom2d_Curve& pcurve) const {
-        return distance(surface, [&](double t) { return occ::from_occ(pcurve.Value(t)); });
+    [[nodiscard]] double distance(const Geom_Surface& surface,
+                                  const Handle<Geom2d_Curve>& pcurve) const {
+        const auto spline = occ::cast<Geom2d_BSplineCurve>(pcurve);
+        const int poles = spline.IsNull() ? 0 : spline->NbPoles();
+        return distance(
+            surface, [&](double t) { return occ::from_occ(pcurve->Value(t)); },
+            std::max(kSamples, kSamplesPerPole * poles));
     }
 
     /// The curve on the surface: where the layout has it if that is the place, else at the feet.
@@ -135,9 +147,9 @@ struct Course {
     [[nodiscard]] Placement on(const Handle<Geom_Surface>& surface, const Trim& at, Ends ends,
                                double accuracy) const {
         const Handle<Geom2d_Curve> plain = laid(surface, at, ends, accuracy);
-        const double gap = distance(*surface, *plain);
+        const double gap = distance(*surface, plain);
         const Handle<Geom2d_Curve> marked = mark_gap(curve, first, last, surface, plain, gap);
-        return {marked, gap, marked == plain ? gap : distance(*surface, *marked)};
+        return {marked, gap, marked == plain ? gap : distance(*surface, marked)};
     }
 };
 
