@@ -1,6 +1,7 @@
 #include "files/write_step.h"
 
 #include "files/static_scope.h"
+#include "files/step_order.h"
 #include "files/step_text.h"
 #include "files/write_time.h"
 
@@ -91,15 +92,18 @@ Result<std::vector<StepId>> write_step(const ModelFile& model, const std::string
                     scope.complaint().empty() ? "" : ": ", scope.complaint());
     }
     const occ::Handle<StepData_StepModel> entities = writer.ChangeWriter().Model();
+    count_instances(*entities);
     write_header(model, name, *time, entities);
     StepData_StepWriter text(entities);
     text.SendModel(occ::cast<StepData_Protocol>(writer.ChangeWriter().WS()->Protocol()));
     std::ostringstream printed;
     text.Print(printed);
-    stream << encode_step_text(printed.str());
+    const NumberedText ordered = in_fixed_order(encode_step_text(printed.str()));
+    stream << ordered.text;
     std::vector<StepId> numbers;
     for (const TopoDS_Face& face : traced) {
-        numbers.push_back(entity_of(face, *writer.ChangeWriter().WS(), *entities));
+        const StepId number = entity_of(face, *writer.ChangeWriter().WS(), *entities);
+        numbers.push_back(ordered.numbers[number]);
     }
     return numbers;
 }

@@ -22,7 +22,7 @@ class Epoch {
 
 std::string bytes_of(Format format, const std::string& name) {
     const Folder folder;
-    const ModelFile model = model_of(BRepPrimAPI_MakeBox(30, 20, 5).Shape(), "box");
+    const ModelFile model = two_level_assembly();
     const auto written = write_model(model, folder / name, format, MeshOptions());
     return written ? read_bytes(folder / name).value() : written.error().message;
 }
@@ -67,7 +67,10 @@ TEST(WriteTime, MakesTheSameBytesInEveryFormat) {
         {
             const Epoch epoch("951827696");
             early = bytes_of(format, name);
-            EXPECT_TRUE(early == bytes_of(format, name)) << name;
+            // Several times: addresses decide about the order of tables in OCCT.
+            for (int k = 0; k < 5; ++k) {
+                EXPECT_TRUE(early == bytes_of(format, name)) << name;
+            }
         }
         const Epoch epoch("982368000");
         const bool dated =
