@@ -126,4 +126,5 @@ def _unpack(archive, folder):
                 inside(entry.linkname)
             elif not (entry.isfile() or entry.isdir()):
                 raise OSError(f"{entry.name} is neither file nor folder")
-        file.extractall(root)  # nosec B202: Audited: every member was looked at above
+        filtered = {"filter": "data"} if hasattr(tarfile, "data_filter") else {}
+        file.extractall(root, **filtered)  # nosec B202: Audited: every member was looked at above

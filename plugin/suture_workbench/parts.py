@@ -114,7 +114,7 @@ def _counted(obj, kind):
     """The leaves of a container with the number of elements that come before theirs."""
     shapes = []
     for path, shape in leaves(obj):
-        yield path, shape, _count(Part.makeCompound(shapes), kind) if shapes else 0
+        yield path, shape, _count(Part.Compound(shapes), kind) if shapes else 0
         shapes.append(shape)
 
 

@@ -39,7 +39,8 @@ def shape_of(obj):
     """
     try:
         if is_container(obj):
-            shape = Part.makeCompound([shape for _, shape in leaves(obj)])
+            # Not makeCompound: it ends the process where 1.0 is a module of plain Python.
+            shape = Part.Compound([shape for _, shape in leaves(obj)])
             shape.Placement = placement_of(obj)
             null = not shape.SubShapes
         else:

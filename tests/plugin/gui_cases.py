@@ -148,7 +148,7 @@ def containers(driver):
         [round(x, 2) for x in color] for color in filled.ViewObject.DiffuseColor
     ]
     driver.said["wanted"] = [[round(x, 2) for x in color] for color in obj.ViewObject.DiffuseColor]
-    driver.said["plain"] = [round(x, 2) for x in obj.ViewObject.ShapeColor]
+    driver.said["plain"] = [round(x, 2) for x in obj.ViewObject.ShapeColor[:3]] + [0.0]  # opaque
     driver.look(1.1, 0.9, 0.8)
     Gui.Selection.clearSelection()
     yield driver.pause(0.3)

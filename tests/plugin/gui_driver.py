@@ -174,6 +174,8 @@ class Driver:
 
     def drawn(self):
         """How many layers of ours the view has."""
+        from pivy import coin  # noqa: F401  without it 1.x gives no scene graph
+
         scene = Gui.ActiveDocument.ActiveView.getSceneGraph()
         nodes = (scene.getChild(index) for index in range(scene.getNumChildren()))
         return [node.getName().getString() for node in nodes].count("SutureOverlay")
@@ -190,7 +192,7 @@ class Driver:
         views = self.window.findChildren(QtGui.QTextEdit)
         text = "\n".join(v.toPlainText() for v in views if v.objectName() == "Report view")
         text = re.sub(r"<class 'suture_workbench\.errors\.\w+'>", "", text)  # a sentence for the user
-        return re.findall(r"(?m)^.*(?:Traceback \(most|\b\w+(?:Error|Exception)\b).*$", text)
+        return re.findall(r"(?m)^.*(?:Traceback \(most|\b[A-Z]\w*(?:Error|Exception)\b).*$", text)
 
     def later(self, action):
         """Does something that opens a dialog of its own: this function returns before it is closed."""

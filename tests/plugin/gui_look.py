@@ -113,7 +113,7 @@ def many_faces(count=20):
         rounded.translated(App.Vector(10 * (index % 5), 10 * (index // 5), 0))
         for index in range(count)
     ]
-    return Part.makeCompound(copies)
+    return Part.Compound(copies)
 
 
 def pixels(driver):

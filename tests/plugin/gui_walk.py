@@ -1,20 +1,27 @@
 """A user's whole way, with the pictures of docs/freecad.md."""
 
+import os
 
 import FreeCAD as App
 import FreeCADGui as Gui
 from gui_common import CLOSE, OK, OUT, ROOT
-from PySide import QtGui
+from PySide import QtCore, QtGui
 
 
 def walk(driver):
     """The whole way: open, find, fill with preview, OK, check, export. Takes the pictures of docs."""
     Gui.activateWorkbench("SutureWorkbench")
+    driver.panel_width(300)
+    yield from get_program(driver)
     driver.later(lambda: Gui.runCommand("Std_Open", 0))
     yield from driver.choose_file(ROOT / "docs/examples/suitcase_corner.step", "STEP with colors")
-    yield driver.until("the model", lambda: App.ActiveDocument and App.ActiveDocument.Objects)
+    yield driver.until("the model", lambda: opened() or options_of_import())
+    if not opened():  # 1.x asks how to import
+        driver.press(OK, options_of_import()[0])
+    yield driver.until("the model", opened)
     document, obj = App.ActiveDocument, App.ActiveDocument.Objects[-1]
     obj.Label = "suitcase corner"
+    yield driver.pause(1.5)  # FreeCAD fits the view to what it has opened
     driver.look(1.1, 0.9, 0.8)
     yield driver.pause(1.0)
     driver.picture("1_open")
@@ -43,6 +50,11 @@ def walk(driver):
     driver.said["preview"] = driver.status()
     driver.said["objects_before"] = len(document.Objects)
     driver.picture("3_preview")
+    driver.unfold("SutureSurface")
+    yield driver.until("the shading", lambda: driver.there("SutureShading"))
+    driver.choose("SutureShading", "zebra")
+    yield driver.pause(0.7)
+    driver.picture("3_stripes")
 
     driver.press(OK)
     yield driver.until("the panel to close", lambda: not driver.dialog_open())
@@ -53,6 +65,17 @@ def walk(driver):
     driver.look(1.1, 0.9, 0.8)
     yield driver.pause(0.5)
     driver.picture("4_filled")
+    Gui.getDocument(document.Name).setEdit(filled.Name)
+    yield driver.preview()
+    driver.find("SutureSide9", QtGui.QComboBox).setCurrentText("G0")
+    yield driver.pause(0.6)
+    yield driver.preview()
+    yield driver.pause(0.3)
+    driver.picture("4_edit")
+    driver.key(driver.view_widget(), QtCore.Qt.Key_Escape)
+    yield driver.until("the panel to close", lambda: not driver.dialog_open())
+    driver.said["edited"] = filled.EdgesG0 is not None
+    driver.look(1.1, 0.9, 0.8)
 
     Gui.Selection.addSelection(filled)
     yield from driver.tool("Suture_Check")
@@ -93,6 +116,36 @@ def walk(driver):
     Gui.Selection.addSelection(obj)
     yield from export(driver, OUT / "exported.step", "STEP with holes filled")
     yield from export(driver, OUT / "exported.iges", "IGES with holes filled")
+
+
+def opened():
+    return App.ActiveDocument and App.ActiveDocument.Objects
+
+
+def options_of_import():
+    """FreeCAD's own dialog about the import, in a list; empty if there is none."""
+    windows = QtGui.QApplication.topLevelWidgets()
+    dialogs = [w for w in windows if isinstance(w, QtGui.QDialog) and w.isVisible()]
+    return [d for d in dialogs if not isinstance(d, QtGui.QFileDialog)]
+
+
+def get_program(driver):
+    """The dialog for getting the program: it is located in a folder where nobody looks for it."""
+    from suture_workbench import settings
+    from suture_workbench.gui.program_dialog import ProgramDialog
+
+    settings.save_program("/no/suture")
+    dialog = ProgramDialog()
+    driver.later(dialog.run)
+    yield driver.until("the dialog", lambda: driver.there("SutureProgramDialog"))
+    yield driver.pause(0.3)
+    state = driver.find("SutureProgramState", QtGui.QLabel)
+    driver.said["program"] = [state.text()]
+    driver.find("SutureProgramDialog").grab().save(str(OUT / "0_program.png"))
+    dialog.locate(os.environ["SUTURE_EXE"])
+    driver.said["program"].append(driver.find("SutureProgramState", QtGui.QLabel).text())
+    driver.press(CLOSE, driver.find("SutureProgramDialog"))
+    yield driver.until("the dialog to close", lambda: not driver.there("SutureProgramDialog"))
 
 
 def export(driver, path, kind, picture=None):

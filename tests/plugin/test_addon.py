@@ -145,6 +145,9 @@ class Addon(Case):
         self.assertTrue((folder / workbench.Icon).is_file())
         self.assertTrue((ROOT / meta.Icon).is_file())
         self.assertTrue(meta.supportsCurrentFreeCAD())
+        kinds = {url["type"] for url in meta.Urls}
+        self.assertEqual(kinds, {"repository", "readme", "bugtracker", "documentation"})
+        self.assertEqual([entry["package"] for entry in meta.Depend], ["part"])
 
 
 if __name__ == "__main__":

@@ -36,7 +36,7 @@ class Commands(Case):
         disc = Part.makeCylinder(2, 1, App.Vector(5, 5, -0.5))
         plain = Part.makePlane(10, 10, App.Vector(50, 0, 0))
         shapes = [plain, Part.makePlane(10, 10).cut(disc), plain.translated(App.Vector(50, 0, 0))]
-        holes = api.find_holes(self.add(Part.makeCompound(shapes))).report.holes
+        holes = api.find_holes(self.add(Part.Compound(shapes))).report.holes
         self.assertEqual([hole.kind for hole in holes], ["hole", "rim", "rim", "rim"])
         self.assertGreater(holes[0].id, 1)
 
@@ -109,7 +109,7 @@ class Commands(Case):
         solid = box.fuse(pillar).removeSplitter()
         ring = 1600 - 25 * 3.141592653589793
         kept = [face for face in solid.Faces if abs(face.Area - ring) > 1]
-        base = self.add(Part.makeCompound(kept))
+        base = self.add(Part.Compound(kept))
         found = api.find_holes(base)
         edges = [found.number(hole.edges[0]) for hole in found.report.holes]
         self.assertEqual(len(edges), 2)

@@ -195,10 +195,10 @@ class Objects(Case):
 
     def test_a_hole_is_known_by_its_place_when_numbers_change(self):
         corner, other = example(), Part.makeBox(3, 4, 5).translated(App.Vector(60, 0, 0))
-        base = self.add(Part.makeCompound([other, corner]))
+        base = self.add(Part.Compound([other, corner]))
         shift = len(other.Edges)
         filled = api.fill(base, edges=[shift + 9], sides={shift + 19: "G0"}, method="mvs")
-        base.Shape = Part.makeCompound([corner, other])
+        base.Shape = Part.Compound([corner, other])
         self.document.recompute()
         self.assertEqual((filled.State, len(filled.Shape.Solids)), (["Up-to-date"], 2))
         from suture_workbench import feature
@@ -218,7 +218,7 @@ class Objects(Case):
         self.assertEqual(self.document.Objects, [base])
 
     def test_loose_faces_are_sewn_and_edges_still_found(self):
-        base = self.add(Part.makeCompound([face.copy() for face in example().Faces]))
+        base = self.add(Part.Compound([face.copy() for face in example().Faces]))
         found = api.find_holes(base)
         self.assertTrue(found.report.sewn)
         (hole,) = found.report.holes

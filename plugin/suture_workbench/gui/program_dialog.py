@@ -27,8 +27,11 @@ class ProgramDialog:
         find(self.form, "SutureBuild").setEnabled(script.is_file())
         find(self.form, "SutureCopy", QtWidgets.QPushButton).setEnabled(script.is_file())
         find(self.form, "SutureCommand", QtWidgets.QLabel).setText(
-            self._command if script.is_file() else translate("This addon has no source with it.")
+            ".../suture --version"
+            if script.is_file()
+            else translate("This addon has no source with it.")
         )
+        find(self.form, "SutureCommand").setToolTip(self._command)
         for name, action in (
             ("SutureInstallFile", self._install),
             ("SutureLocate", self._locate),

@@ -40,111 +40,6 @@
     </message>
     <message>
       <location filename="suture_workbench/feature.py" />
-      <source>The shape, and an edge of each hole to fill; no edge: all holes</source>
-      <translation>Die Form und je eine Kante der zu füllenden Löcher; ohne Kante: alle Löcher</translation>
-    </message>
-    <message>
-      <location filename="suture_workbench/feature.py" />
-      <source>The fill method; auto tries what applies and keeps the best</source>
-      <translation>Das Füllverfahren; auto probiert, was infrage kommt, und behält das beste</translation>
-    </message>
-    <message>
-      <location filename="suture_workbench/feature.py" />
-      <source>Options of the method's own, key=value each</source>
-      <translation>Eigene Einstellungen des Verfahrens, je Schlüssel=Wert</translation>
-    </message>
-    <message>
-      <location filename="suture_workbench/feature.py" />
-      <source>How the new faces join: G0 position, G1 tangent, G2 curvature</source>
-      <translation>Wie die neuen Flächen anschließen: G0 Position, G1 Tangente, G2 Krümmung</translation>
-    </message>
-    <message>
-      <location filename="suture_workbench/feature.py" />
-      <source>Edges that are to be met in position only</source>
-      <translation>Kanten, an denen nur die Position stimmen soll</translation>
-    </message>
-    <message>
-      <location filename="suture_workbench/feature.py" />
-      <source>Edges that are to be met tangentially</source>
-      <translation>Kanten, an denen tangential angeschlossen wird</translation>
-    </message>
-    <message>
-      <location filename="suture_workbench/feature.py" />
-      <source>Edges that are to be met with equal curvature</source>
-      <translation>Kanten, an denen mit gleicher Krümmung angeschlossen wird</translation>
-    </message>
-    <message>
-      <location filename="suture_workbench/feature.py" />
-      <source>The chosen loops bound one face: the others are islands in the first</source>
-      <translation>Die gewählten Schleifen begrenzen eine Fläche: die übrigen sind Inseln in der ersten</translation>
-    </message>
-    <message>
-      <location filename="suture_workbench/feature.py" />
-      <source>Fill the rims of open sheets and doubtful loops too</source>
-      <translation>Auch die Ränder offener Flächen und zweifelhafte Schleifen füllen</translation>
-    </message>
-    <message>
-      <location filename="suture_workbench/feature.py" />
-      <source>Vertices and edges that the new face passes through</source>
-      <translation>Punkte und Kanten, durch die die neue Fläche geht</translation>
-    </message>
-    <message>
-      <location filename="suture_workbench/feature.py" />
-      <source>Points that the new face passes through, seen from the placement of the base</source>
-      <translation>Punkte, durch die die neue Fläche geht, von der Platzierung der Basis aus gesehen</translation>
-    </message>
-    <message>
-      <location filename="suture_workbench/feature.py" />
-      <source>Largest gap</source>
-      <translation>Größter Spalt</translation>
-    </message>
-    <message>
-      <location filename="suture_workbench/feature.py" />
-      <source>Largest angle of tangent joins</source>
-      <translation>Größter Winkel tangentialer Anschlüsse</translation>
-    </message>
-    <message>
-      <location filename="suture_workbench/feature.py" />
-      <source>Largest curvature mismatch of G2 joins in percent</source>
-      <translation>Größte Krümmungsabweichung von G2-Anschlüssen in Prozent</translation>
-    </message>
-    <message>
-      <location filename="suture_workbench/feature.py" />
-      <source>What came of it</source>
-      <translation>Was daraus wurde</translation>
-    </message>
-    <message>
-      <location filename="suture_workbench/feature.py" />
-      <source>No free edge is left</source>
-      <translation>Keine freie Kante ist übrig</translation>
-    </message>
-    <message>
-      <location filename="suture_workbench/feature.py" />
-      <source>All holes are filled and meet the tolerances</source>
-      <translation>Alle Löcher sind gefüllt und halten die Toleranzen ein</translation>
-    </message>
-    <message>
-      <location filename="suture_workbench/feature.py" />
-      <source>The numbers of the new faces</source>
-      <translation>Die Nummern der neuen Flächen</translation>
-    </message>
-    <message>
-      <location filename="suture_workbench/feature.py" />
-      <source>The whole report of the program (JSON)</source>
-      <translation>Der ganze Bericht des Programms (JSON)</translation>
-    </message>
-    <message>
-      <location filename="suture_workbench/feature.py" />
-      <source>A point on each edge that is named, to know it by when numbers change</source>
-      <translation>Ein Punkt auf jeder genannten Kante, an dem sie erkannt wird, wenn sich Nummern ändern</translation>
-    </message>
-    <message>
-      <location filename="suture_workbench/feature.py" />
-      <source>Tells whether the shape is up to date</source>
-      <translation>Sagt, ob die Form auf dem neuesten Stand ist</translation>
-    </message>
-    <message>
-      <location filename="suture_workbench/feature.py" />
       <source>{} filled</source>
       <translation>{} gefüllt</translation>
     </message>
@@ -620,6 +515,16 @@
     </message>
     <message>
       <location filename="suture_workbench/gui/widgets.py" />
+      <source>Largest gap</source>
+      <translation>Größter Spalt</translation>
+    </message>
+    <message>
+      <location filename="suture_workbench/gui/widgets.py" />
+      <source>Largest angle of tangent joins</source>
+      <translation>Größter Winkel tangentialer Anschlüsse</translation>
+    </message>
+    <message>
+      <location filename="suture_workbench/gui/widgets.py" />
       <source>Largest curvature mismatch of G2 joins</source>
       <translation>Größte Krümmungsabweichung von G2-Anschlüssen</translation>
     </message>
@@ -706,6 +611,101 @@ oder installieren oder angeben, wo es ist: Bearbeiten &gt; Einstellungen &gt; Su
       <location filename="suture_workbench/program.py" />
       <source>There is no program {}. Correct the path in Edit &gt; Preferences &gt; Suture, or clear it to have the usual places searched.</source>
       <translation>Es gibt kein Programm {}. Berichtigen Sie den Pfad unter Bearbeiten &gt; Einstellungen &gt; Suture, oder leeren Sie ihn, damit an den üblichen Orten gesucht wird.</translation>
+    </message>
+    <message>
+      <location filename="suture_workbench/properties.py" />
+      <source>The shape, and an edge of each hole to fill; no edge: all holes</source>
+      <translation>Die Form und je eine Kante der zu füllenden Löcher; ohne Kante: alle Löcher</translation>
+    </message>
+    <message>
+      <location filename="suture_workbench/properties.py" />
+      <source>The fill method; auto tries what applies and keeps the best</source>
+      <translation>Das Füllverfahren; auto probiert, was infrage kommt, und behält das beste</translation>
+    </message>
+    <message>
+      <location filename="suture_workbench/properties.py" />
+      <source>Options of the method's own, key=value each</source>
+      <translation>Eigene Einstellungen des Verfahrens, je Schlüssel=Wert</translation>
+    </message>
+    <message>
+      <location filename="suture_workbench/properties.py" />
+      <source>How the new faces join: G0 position, G1 tangent, G2 curvature</source>
+      <translation>Wie die neuen Flächen anschließen: G0 Position, G1 Tangente, G2 Krümmung</translation>
+    </message>
+    <message>
+      <location filename="suture_workbench/properties.py" />
+      <source>Edges that are to be met in position only</source>
+      <translation>Kanten, an denen nur die Position stimmen soll</translation>
+    </message>
+    <message>
+      <location filename="suture_workbench/properties.py" />
+      <source>Edges that are to be met tangentially</source>
+      <translation>Kanten, an denen tangential angeschlossen wird</translation>
+    </message>
+    <message>
+      <location filename="suture_workbench/properties.py" />
+      <source>Edges that are to be met with equal curvature</source>
+      <translation>Kanten, an denen mit gleicher Krümmung angeschlossen wird</translation>
+    </message>
+    <message>
+      <location filename="suture_workbench/properties.py" />
+      <source>The chosen loops bound one face: the others are islands in the first</source>
+      <translation>Die gewählten Schleifen begrenzen eine Fläche: die übrigen sind Inseln in der ersten</translation>
+    </message>
+    <message>
+      <location filename="suture_workbench/properties.py" />
+      <source>Fill the rims of open sheets and doubtful loops too</source>
+      <translation>Auch die Ränder offener Flächen und zweifelhafte Schleifen füllen</translation>
+    </message>
+    <message>
+      <location filename="suture_workbench/properties.py" />
+      <source>Vertices and edges that the new face passes through</source>
+      <translation>Punkte und Kanten, durch die die neue Fläche geht</translation>
+    </message>
+    <message>
+      <location filename="suture_workbench/properties.py" />
+      <source>Points that the new face passes through, seen from the placement of the base</source>
+      <translation>Punkte, durch die die neue Fläche geht, von der Platzierung der Basis aus gesehen</translation>
+    </message>
+    <message>
+      <location filename="suture_workbench/properties.py" />
+      <source>Largest curvature mismatch of G2 joins in percent</source>
+      <translation>Größte Krümmungsabweichung von G2-Anschlüssen in Prozent</translation>
+    </message>
+    <message>
+      <location filename="suture_workbench/properties.py" />
+      <source>What came of it</source>
+      <translation>Was daraus wurde</translation>
+    </message>
+    <message>
+      <location filename="suture_workbench/properties.py" />
+      <source>No free edge is left</source>
+      <translation>Keine freie Kante ist übrig</translation>
+    </message>
+    <message>
+      <location filename="suture_workbench/properties.py" />
+      <source>All holes are filled and meet the tolerances</source>
+      <translation>Alle Löcher sind gefüllt und halten die Toleranzen ein</translation>
+    </message>
+    <message>
+      <location filename="suture_workbench/properties.py" />
+      <source>The numbers of the new faces</source>
+      <translation>Die Nummern der neuen Flächen</translation>
+    </message>
+    <message>
+      <location filename="suture_workbench/properties.py" />
+      <source>The whole report of the program (JSON)</source>
+      <translation>Der ganze Bericht des Programms (JSON)</translation>
+    </message>
+    <message>
+      <location filename="suture_workbench/properties.py" />
+      <source>A point on each edge that is named, to know it by when numbers change</source>
+      <translation>Ein Punkt auf jeder genannten Kante, an dem sie erkannt wird, wenn sich Nummern ändern</translation>
+    </message>
+    <message>
+      <location filename="suture_workbench/properties.py" />
+      <source>Tells whether the shape is up to date</source>
+      <translation>Sagt, ob die Form auf dem neuesten Stand ist</translation>
     </message>
     <message>
       <location filename="suture_workbench/readout.py" />
