@@ -5,8 +5,8 @@
 #include "suture/check/certify/certify_edges.h"
 #include "suture/check/continuity.h"
 #include "suture/check/face_knots.h"
-#include "suture/check/summary.h"
 #include "suture/check/validity.h"
+#include "suture/judge/summary.h"
 
 namespace suture::cli {
 

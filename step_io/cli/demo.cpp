@@ -68,7 +68,7 @@ class DemoReport {
                        {"valid", summary.validity.valid}};
             entry.update(json_of(hole, summary.sides[i]));
             fills_.push_back(std::move(entry));
-            const bool good = filled && hole.within_tolerance && summary.validity.valid;
+            const bool good = filled && hole.verdict.within() && summary.validity.valid;
             complete_ = complete_ && (good || method != "auto");
         }
     }
@@ -91,9 +91,8 @@ class DemoReport {
   private:
     void add_row(const fs::path& example, std::string_view method, const HoleReport& hole,
                  int sides, bool filled) {
-        const std::string result = !filled                 ? "refused: " + hole.reason
-                                   : hole.within_tolerance ? "good"
-                                                           : "out of tolerance";
+        const std::string result =
+            filled ? std::string(to_string(hole.verdict.severity)) : "refused: " + hole.reason;
         const std::string used =
             method == "auto" && filled ? "auto: " + hole.method_used : std::string(method);
         const auto cell = [&](std::string text) { return filled ? std::move(text) : ""; };

@@ -19,8 +19,9 @@ constexpr CommandHelp kHelp{
     "Fill the holes of a model with smooth faces",
     "Fill the holes of a model with smooth B-spline faces, sew them in, and write the model. The "
     "faces around a hole, their edges and their names and colours stay as they are. The result is "
-    "read again from the written file and measured there; what is out of tolerance or refused is "
-    "written all the same, and the report and the exit code say so.",
+    "read again from the written file and measured there; what is out of tolerance is written "
+    "all the same, and the report and the exit code say so; a fill that is bad stays out of the "
+    "model, and its hole open.",
     "  suture fill part.step -o filled.step                   all holes, the best method for each\n"
     "  suture fill part.step -o filled.step --hole 2 5        two of those that `inspect` lists\n"
     "  suture fill part.step -o filled.step --hole 3+4        one face with an island\n"
@@ -46,6 +47,7 @@ struct FillOptions {
     MeshSettings mesh;
     std::optional<int> jobs;
     bool all_loops = false;
+    bool keep_bad = false;
     bool force = false;
     FillSettings settings;
 };
@@ -91,6 +93,7 @@ Result<void> take_wishes(const FillOptions& options, FillRequest& request) {
         }
     }
     request.all_loops = options.all_loops;
+    request.keep_bad = options.keep_bad;
     return take(parse_continuity(options.continuity), request.continuity);
 }
 
@@ -209,6 +212,8 @@ void add_wishes(CLI::App& app, FillOptions& options) {
     app.add_option("--timeout", options.timeout,
                    "Method occt: give up a hole after so many seconds (default 120)")
         ->option_text("SECONDS");
+    app.add_flag("--keep-bad", options.keep_bad,
+                 "Put fills into the model that are bad: folded, clashing, far off, sharp");
     app.add_option("--jobs,-j", options.jobs, "Threads (default: all cores)")->option_text("N");
 }
 

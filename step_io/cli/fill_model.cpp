@@ -5,8 +5,10 @@
 #include "cli/reread.h"
 #include "files/read.h"
 #include "files/stated_accuracy.h"
+#include "suture/judge/judge_fill.h"
 #include "suture/occ/convert.h"
 
+#include <fmt/format.h>
 #include <spdlog/spdlog.h>
 #include <tbb/task_group.h>
 
@@ -67,6 +69,17 @@ void report_skipped(const PartLoops& part, const FillRequest& request,
         report.method_requested = request.method;
         report.reason = loop.kind == LoopKind::Hole ? "not asked for" : loop.reason;
         holes.push_back(std::move(report));
+    }
+}
+
+/// Ids count through the part until now.
+void number_in_model(HoleReport& hole, int ids_before) {
+    for (int& id : hole.ids) {
+        id += ids_before;
+    }
+    hole.asked.hole += ids_before;
+    for (Finding& finding : hole.verdict.findings) {
+        finding.hole += ids_before;
     }
 }
 
@@ -171,15 +184,16 @@ class FillJob {
             wanted.request.progress =
                 run_.stage(Stage::Filling, "filling holes", from, from + share);
             from += share;
+            for (int& id : wanted.request.leave_open) {
+                id -= part.ids_before;
+            }
             Result<FillOutcome> outcome =
                 fill_holes(part.part.shape, part.numbering, wanted.request);
             if (!outcome) {
                 return tl::unexpected(outcome.error());
             }
             for (HoleReport& hole : outcome->holes) {
-                for (int& id : hole.ids) {
-                    id += part.ids_before;
-                }
+                number_in_model(hole, part.ids_before);
             }
             summary_.seconds.fill += outcome->seconds_fill;
             summary_.seconds.choose += outcome->seconds_choose;
@@ -228,8 +242,7 @@ class FillJob {
                 for (const WritingLoss& loss : losses) {
                     for_each_hole([&](HoleReport& hole) {
                         if (hole.ids == loss.hole) {
-                            hole.within_tolerance = false;
-                            hole.notes.push_back("shape changed by writing: " + to_string(loss));
+                            add_finding(finding_of(loss), hole.verdict);
                         }
                     });
                 }
@@ -354,8 +367,28 @@ class FillJob {
         for (const HoleReport& hole : summary_.holes) {
             summary_.sides.push_back(sides_of(hole));
         }
+        judge_validity();
         summary_.sewing = model_.sewing;
         summary_.file = std::move(model_.file);
+    }
+
+    /// A shape is not valid because of tolerances that grew, and what the input had wrong is not
+    /// the fill's fault.
+    void judge_validity() {
+        Validity& validity = summary_.validity;
+        for (const HoleReport& hole : summary_.holes) {
+            for (const Finding& finding : hole.verdict.findings) {
+                if (hole.status == FillStatus::Filled && !finding.before &&
+                    finding.kind == FindingKind::ToleranceGrown) {
+                    validity.valid = false;
+                    validity.problems.push_back(to_text(finding));
+                }
+            }
+        }
+        if (!validity.valid) {
+            const Validity before = measure_validity(summary_.before, ValidityDepth::Valid);
+            summary_.findings.push_back(judge_problems(validity.problems, before.problems));
+        }
     }
 
     [[nodiscard]] int sides_of(const HoleReport& hole) const {
@@ -384,14 +417,57 @@ class FillJob {
     tbb::task_group validity_;  ///< sets in_memory_
 };
 
+/// Holes whose fill is bad in the file; in memory it was not.
+void take_bad_ones(const std::vector<HoleReport>& holes, std::vector<HoleReport>& bad) {
+    for (const HoleReport& hole : holes) {
+        if (hole.status == FillStatus::Filled && hole.verdict.severity == Severity::Bad) {
+            bad.push_back(hole);
+            bad.back().status = FillStatus::Refused;
+            bad.back().notes.push_back(std::move(bad.back().reason));
+            bad.back().reason = fmt::format(
+                "the best fill is bad in the written file and stays out of the model (--keep-bad "
+                "puts it in): {}",
+                to_text(hole.verdict.findings.front()));
+        }
+    }
+}
+
+/// The reports of what was left open in the last run.
+void put_back(std::vector<HoleReport>& bad, std::vector<HoleReport>& holes) {
+    for (HoleReport& left : bad) {
+        for (HoleReport& hole : holes) {
+            if (hole.ids == left.ids) {
+                hole = std::move(left);
+                break;
+            }
+        }
+    }
+}
+
 }  // namespace
 
 Result<FillSummary> fill_model(Run& run, const FillSettings& settings) {
-    Result<LoadedModel> model = load_model(run, settings.input, settings.load, kLoaded);
-    if (!model) {
-        return tl::unexpected(model.error());
+    FillSettings again = settings;
+    std::vector<HoleReport> bad;
+    for (;;) {
+        Result<LoadedModel> model = load_model(run, settings.input, settings.load, kLoaded);
+        if (!model) {
+            return tl::unexpected(model.error());
+        }
+        Result<FillSummary> summary = FillJob(run, again, std::move(*model)).run();
+        if (!summary || settings.request.keep_bad) {
+            return summary;
+        }
+        const std::size_t known = bad.size();
+        take_bad_ones(summary->holes, bad);
+        if (bad.size() == known) {
+            put_back(bad, summary->holes);
+            return summary;
+        }
+        for (const HoleReport& hole : bad) {
+            again.request.leave_open.push_back(hole.ids.front());
+        }
     }
-    return FillJob(run, settings, std::move(*model)).run();
 }
 
 }  // namespace suture::cli

@@ -46,6 +46,7 @@ enum class MeasuredOn {
 /// and of all that is read again.
 struct FillSummary {
     std::vector<HoleReport> holes;  ///< every boundary loop of the model
+    std::vector<Finding> findings;  ///< of the model as a whole
     std::vector<int> sides;         ///< how many edges each of these has
     std::vector<WritingLoss> lost_by_writing;
     Validity validity;
@@ -57,7 +58,8 @@ struct FillSummary {
     std::vector<TopoDS_Face> new_faces;  ///< of every part, in its own place
 };
 
-/// Reads a model, fills its holes, writes it, reads it again, and measures.
+/// Reads a model, fills its holes, writes it, reads it again, and judges. A fill that is bad in the
+/// written file, though it was not in memory, is taken out again: all is done once more without it.
 ///
 /// Refuses  (Usage) holes and edges that do not exist; (NothingToDo) a model without a hole, unless
 ///          sewing its loose faces has changed it: then it is written.

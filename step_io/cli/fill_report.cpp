@@ -22,7 +22,7 @@ Counts count(const std::vector<HoleReport>& holes) {
         switch (hole.status) {
             case FillStatus::Filled:
                 ++counts.filled;
-                counts.out_of_tolerance += hole.within_tolerance ? 0 : 1;
+                counts.out_of_tolerance += hole.verdict.within() ? 0 : 1;
                 break;
             case FillStatus::Refused:
                 ++counts.refused;
@@ -50,20 +50,17 @@ std::string poles_of(const HoleReport& hole) {
 }
 
 /// Refused holes first, then the worst, then what was not asked for.
-std::vector<std::size_t> worst_first(const std::vector<HoleReport>& holes,
-                                     const Tolerance& tolerance) {
+std::vector<std::size_t> worst_first(const std::vector<HoleReport>& holes) {
     std::vector<std::size_t> order(holes.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
-    // What is far below the tolerance is equally good; such holes stay in their order.
-    const auto steps = [](double value, double limit) { return std::floor(10.0 * value / limit); };
     const auto rank = [&](std::size_t index) {
-        const HoleReport* hole = &holes[index];
-        const int group = hole->status == FillStatus::Refused   ? 0
-                          : hole->status == FillStatus::Skipped ? 3
-                          : hole->within_tolerance              ? 2
-                                                                : 1;
-        return std::tuple(group, -steps(hole->max_angle, tolerance.angular),
-                          -steps(hole->max_gap, tolerance.linear));
+        const HoleReport& hole = holes[index];
+        const int group = hole.status == FillStatus::Refused   ? 0
+                          : hole.status == FillStatus::Skipped ? 3
+                          : hole.verdict.within()              ? 2
+                                                               : 1;
+        // What is far below the tolerance is equally good; such holes stay in their order.
+        return std::tuple(group, hole.verdict.within() ? 0.0 : -hole.verdict.score);
     };
     std::stable_sort(order.begin(), order.end(),
                      [&](std::size_t a, std::size_t b) { return rank(a) < rank(b); });
@@ -71,38 +68,37 @@ std::vector<std::size_t> worst_first(const std::vector<HoleReport>& holes,
 }
 
 std::vector<std::string> row_of(const HoleReport& hole, int sides) {
-    if (hole.status != FillStatus::Filled) {
-        std::vector<std::string> row(11);
-        row.front() = ids_of(hole);
-        row[1] = std::to_string(sides);
-        row.back() = fmt::format("{}: {}", to_string(hole.status), hole.reason);
-        return row;
+    std::vector<std::string> row(11);
+    row.front() = ids_of(hole);
+    row[1] = std::to_string(sides);
+    row.back() = hole.status == FillStatus::Filled
+                     ? fmt::format("filled, {}", to_string(hole.verdict.severity))
+                     : fmt::format("{}: {}", to_string(hole.status), hole.reason);
+    if (hole.tried) {
+        row[2] = hole.method_used;
+        row[3] = poles_of(hole);
+        row[4] = to_string(hole.continuity_requested);
+        row[5] = to_string(hole.continuity_reached);
+        row[6] = short_number(hole.max_gap);
+        row[7] = short_number(degrees(hole.max_angle));
+        row[8] = short_number(100.0 * hole.max_curvature_mismatch);
+        row[9] = fmt::format("{:.2f}", hole.seconds);
     }
-    return {ids_of(hole),
-            std::to_string(sides),
-            hole.method_used,
-            poles_of(hole),
-            std::string(to_string(hole.continuity_requested)),
-            std::string(to_string(hole.continuity_reached)),
-            short_number(hole.max_gap),
-            short_number(degrees(hole.max_angle)),
-            short_number(100.0 * hole.max_curvature_mismatch),
-            fmt::format("{:.2f}", hole.seconds),
-            hole.within_tolerance ? "filled" : "filled, out of tolerance"};
+    return row;
 }
 
-Section hole_section(const FillSummary& summary, const Tolerance& tolerance) {
+Section hole_section(const FillSummary& summary) {
     Section section{"Holes",
                     Table({">hole", ">sides", "method", "surface", "asked", "reached", ">gap [mm]",
                            ">angle [deg]", ">curvature [%]", ">s", "result"}),
                     {}};
-    for (const std::size_t index : worst_first(summary.holes, tolerance)) {
+    for (const std::size_t index : worst_first(summary.holes)) {
         const HoleReport& hole = summary.holes[index];
         section.table.add(row_of(hole, summary.sides[index]));
-        if (hole.status != FillStatus::Filled) {
+        if (!hole.tried) {
             continue;
         }
-        if (!hole.reason.empty()) {
+        if (hole.status == FillStatus::Filled && !hole.reason.empty()) {
             section.notes.push_back(fmt::format("hole {}: {}", ids_of(hole), hole.reason));
         }
         for (const std::string& note : hole.notes) {
@@ -112,42 +108,57 @@ Section hole_section(const FillSummary& summary, const Tolerance& tolerance) {
     return section;
 }
 
-bool side_fails(const SideReport& side, const Tolerance& tolerance) {
-    return side.gap > tolerance.linear ||
-           (side.requested >= Continuity::G1 && side.angle > tolerance.angular) ||
-           (side.requested >= Continuity::G2 && side.curvature_mismatch > tolerance.curvature);
+/// All findings, the holes' first.
+std::vector<Finding> findings_of(const FillSummary& summary) {
+    std::vector<Finding> findings;
+    for (const HoleReport& hole : summary.holes) {
+        findings.insert(findings.end(), hole.verdict.findings.begin(), hole.verdict.findings.end());
+    }
+    findings.insert(findings.end(), summary.findings.begin(), summary.findings.end());
+    std::stable_sort(findings.begin(), findings.end(), is_worse);
+    return findings;
 }
 
-/// The sides that are out of tolerance: where a user would look next.
-Section side_section(const FillSummary& summary, const Tolerance& tolerance) {
-    Section section{"Sides out of tolerance",
-                    Table({">hole", ">edge", ">neighbour", "asked", ">gap [mm]", ">angle [deg]",
-                           ">curvature [%]"}),
-                    {}};
-    for (const HoleReport& hole : summary.holes) {
-        for (const SideReport& side : hole.sides) {
-            if (hole.status == FillStatus::Filled && side_fails(side, tolerance)) {
-                section.table.add({ids_of(hole), std::to_string(side.edge),
-                                   std::to_string(side.face),
-                                   std::string(to_string(side.requested)), short_number(side.gap),
-                                   short_number(degrees(side.angle)),
-                                   short_number(100.0 * side.curvature_mismatch)});
-            }
-        }
+/// What is not as it should be, the worst first: where a user would look next.
+Section finding_section(const std::vector<Finding>& findings) {
+    Section section{"Findings", Table({">hole", "severity", "finding"}), {}};
+    for (const Finding& finding : findings) {
+        section.table.add({finding.hole > 0 ? std::to_string(finding.hole) : "",
+                           finding.before ? "before" : std::string(to_string(finding.severity)),
+                           to_text(finding)});
     }
     return section;
 }
 
-std::string shape_of(const Validity& validity) {
+bool invalid_before(const FillSummary& summary) {
+    return std::any_of(summary.findings.begin(), summary.findings.end(), [](const Finding& f) {
+        return f.kind == FindingKind::NotValid && f.before;
+    });
+}
+
+std::string shape_of(const FillSummary& summary) {
+    const Validity& validity = summary.validity;
     std::string text =
         validity.solids > 0 ? counted(validity.solids, "solid") : counted(validity.shells, "shell");
     text += validity.closed ? ", closed"
                             : fmt::format(", open ({})", counted(validity.free_edges, "free edge"));
-    return text + (validity.valid ? ", valid" : ", NOT valid");
+    return text + (validity.valid            ? ", valid"
+                   : invalid_before(summary) ? ", NOT valid, as the input was"
+                                             : ", NOT valid");
+}
+
+/// The worst thing that was found, with its place and limit.
+std::string worst_of(const std::vector<Finding>& findings) {
+    if (findings.empty() || findings.front().before) {
+        return {};
+    }
+    const Finding& worst = findings.front();
+    return worst.hole > 0 ? fmt::format("; worst: {} (hole {})", to_text(worst), worst.hole)
+                          : fmt::format("; worst: {}", to_text(worst));
 }
 
 std::string verdict_of(const Counts& counts, const FillSummary& summary,
-                       const FillSettings& settings) {
+                       const FillSettings& settings, const std::vector<Finding>& findings) {
     std::string text;
     const int wanted = counts.filled + counts.refused;
     if (wanted == 0) {
@@ -157,18 +168,29 @@ std::string verdict_of(const Counts& counts, const FillSummary& summary,
     } else {
         text = fmt::format("filled {} of {}", counts.filled, counted(wanted, "hole"));
         const Tolerance& tolerance = settings.request.tolerance;
+        const std::string limits = fmt::format("{} mm and {} deg", short_number(tolerance.linear),
+                                               short_number(degrees(tolerance.angular)));
         if (counts.out_of_tolerance > 0) {
-            text += fmt::format(", {} out of tolerance ({} mm, {} deg)", counts.out_of_tolerance,
-                                short_number(tolerance.linear),
-                                short_number(degrees(tolerance.angular)));
+            text += fmt::format(", {} out of tolerance ({})", counts.out_of_tolerance, limits);
         } else if (counts.filled > 0) {
-            text += fmt::format(", within {} mm and {} deg", short_number(tolerance.linear),
-                                short_number(degrees(tolerance.angular)));
+            text += fmt::format(", within {}{}", limits,
+                                findings.empty() || !findings.front().before
+                                    ? ""
+                                    : " or what the input itself allows");
         }
     }
     return fmt::format(
-        "{}; {}; wrote {}{}", text, shape_of(summary.validity), settings.output.string(),
+        "{}{}; {}; wrote {}{}", text, worst_of(findings), shape_of(summary),
+        settings.output.string(),
         summary.measured_on == MeasuredOn::Memory ? " (measured before it became a mesh)" : "");
+}
+
+Severity severity_of(const std::vector<Finding>& findings) {
+    Severity severity = Severity::Good;
+    for (const Finding& finding : findings) {
+        severity = finding.before ? severity : std::max(severity, finding.severity);
+    }
+    return severity;
 }
 
 Json json_of_seconds(const FillSeconds& seconds) {
@@ -196,15 +218,16 @@ Outcome report_fill(const FillSummary& summary, const FillSettings& settings) {
     const Counts counts = count(summary.holes);
     const Tolerance& tolerance = settings.request.tolerance;
     Outcome outcome;
-    const bool good = counts.refused == 0 && counts.out_of_tolerance == 0 && summary.validity.valid;
+    const std::vector<Finding> findings = findings_of(summary);
+    const Severity severity = severity_of(findings);
+    const bool good = counts.refused == 0 && severity == Severity::Good;
     outcome.exit_code = good ? kDone : kOutOfTolerance;
-    outcome.verdict = verdict_of(counts, summary, settings);
+    outcome.verdict = verdict_of(counts, summary, settings, findings);
     if (!summary.holes.empty()) {
-        outcome.sections.push_back(hole_section(summary, tolerance));
+        outcome.sections.push_back(hole_section(summary));
     }
-    Section sides = side_section(summary, tolerance);
-    if (!sides.table.empty()) {
-        outcome.sections.push_back(std::move(sides));
+    if (!findings.empty()) {
+        outcome.sections.push_back(finding_section(findings));
     }
     if (!summary.validity.problems.empty()) {
         outcome.sections.push_back({"BRepCheck", Table({}), summary.validity.problems});
@@ -212,6 +235,10 @@ Outcome report_fill(const FillSummary& summary, const FillSettings& settings) {
     const std::vector<std::string> lost = io::lost_in(summary.file, settings.format);
     if (!lost.empty()) {
         outcome.sections.push_back({"Lost by this format", Table({}), lost});
+    }
+    Json listed = Json::array();
+    for (const Finding& finding : findings) {
+        listed.push_back(json_of(finding));
     }
     Json holes = Json::array();
     for (std::size_t i = 0; i < summary.holes.size(); ++i) {
@@ -226,6 +253,8 @@ Outcome report_fill(const FillSummary& summary, const FillSettings& settings) {
                          {{"gap_mm", tolerance.linear},
                           {"angle_deg", degrees(tolerance.angular)},
                           {"curvature_percent", 100.0 * tolerance.curvature}}},
+                        {"severity", to_string(severity)},
+                        {"findings", listed},
                         {"holes", holes},
                         {"measured_on", name_of(summary.measured_on)}};
     outcome.document.update(json_of(summary.validity));

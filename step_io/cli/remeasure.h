@@ -19,9 +19,8 @@ struct FilledPart {
 /// reading say: the new faces are found again by their vertices, area and centroid, the sides by
 /// length and centroid, because the order of a file is not that of the model.
 ///
-/// Result   the figures, the judgement and the face numbers in parts[].outcome.holes are those of
-///          `shape`; a side that is not found again has no figures, its hole is out of tolerance,
-///          and the hole's notes say so.
+/// Result   the figures, the verdict and the face numbers in parts[].outcome.holes are those of
+///          `shape`; a side that is not found again has no figures, and a finding says so.
 [[nodiscard]] Result<void> remeasure(const TopoDS_Shape& shape, std::vector<FilledPart>& parts,
                                      const Tolerance& tolerance, const Progress& progress);
 

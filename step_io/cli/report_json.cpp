@@ -1,8 +1,5 @@
 #include "cli/report_json.h"
 
-#include <algorithm>
-#include <array>
-
 namespace suture::cli {
 namespace {
 
@@ -110,6 +107,22 @@ Json json_of(const Validity& validity) {
     return result;
 }
 
+Json json_of(const Finding& finding) {
+    const auto number = [](int value) { return value > 0 ? Json(value) : Json(); };
+    return {{"kind", to_string(finding.kind)},
+            {"severity", to_string(finding.severity)},
+            {"value", in_unit(finding.value, finding.kind)},
+            {"limit", in_unit(finding.limit, finding.kind)},
+            {"unit", unit_of(finding.kind)},
+            {"hole", number(finding.hole)},
+            {"edge", number(finding.edge)},
+            {"face", number(finding.face)},
+            {"other_face", number(finding.other_face)},
+            {"at", finding.at.isZero() ? Json() : json_of(finding.at)},
+            {"before", finding.before},
+            {"text", to_text(finding)}};
+}
+
 Json json_of(const BoundaryLoop& loop, const io::Part& part, const std::vector<Corner>& corners) {
     std::vector<int> edges;
     std::vector<int> faces;
@@ -169,12 +182,18 @@ Json json_of(const HoleReport& hole, int sides) {
               {"sides", sides},
               {"status", to_string(hole.status)},
               {"method_requested", hole.method_requested},
-              {"method_used", filled ? Json(hole.method_used) : Json()},
+              {"method_used", hole.tried ? Json(hole.method_used) : Json()},
               {"continuity_requested", to_string(hole.continuity_requested)}};
-    // Of a hole that stays open nothing was measured: null, never a zero that looks perfect.
-    const auto measured = [&](auto value) { return filled ? Json(value) : Json(); };
+    // Of a hole for which there was no fill nothing was measured: null, never a zero that looks
+    // perfect.
+    const auto measured = [&](auto value) { return hole.tried ? Json(value) : Json(); };
+    json["severity"] = measured(to_string(hole.verdict.severity));
+    json["findings"] = Json::array();
+    for (const Finding& finding : hole.verdict.findings) {
+        json["findings"].push_back(cli::json_of(finding));
+    }
     json["continuity_reached"] = measured(to_string(hole.continuity_reached));
-    json["within_tolerance"] = measured(hole.within_tolerance);
+    json["within_tolerance"] = filled ? Json(hole.verdict.within()) : Json();
     json["max_gap"] = measured(hole.max_gap);
     json["max_angle_deg"] = measured(degrees(hole.max_angle));
     json["max_curvature_mismatch"] = measured(hole.max_curvature_mismatch);
@@ -182,7 +201,7 @@ Json json_of(const HoleReport& hole, int sides) {
     json["max_distance_through"] =
         hole.through.empty() ? Json() : measured(hole.max_distance_through);
     json["patches"] = array_of(hole.patches);
-    json["edges"] = filled ? array_of(hole.sides) : Json::array();
+    json["edges"] = array_of(hole.sides);
     if (hole.implicit) {
         json["polynomials"] = polynomials_of(*hole.implicit);
     }

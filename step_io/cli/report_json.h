@@ -32,6 +32,9 @@ inline constexpr int kSchema = 2;
 [[nodiscard]] Json json_of(const SewingFacts& sewing);
 [[nodiscard]] Json json_of(const Validity& validity);
 
+/// One entry of `findings`; the figures in the finding's unit.
+[[nodiscard]] Json json_of(const Finding& finding);
+
 /// One entry of `holes` of inspect. The loop's corners in the model's coordinates.
 [[nodiscard]] Json json_of(const BoundaryLoop& loop, const io::Part& part,
                            const std::vector<Corner>& corners);

@@ -108,4 +108,15 @@ std::string to_string(const WritingLoss& loss) {
                        short_number(degrees(loss.file)), short_number(degrees(loss.memory)));
 }
 
+Finding finding_of(const WritingLoss& loss) {
+    Finding finding;
+    finding.kind = FindingKind::ChangedByWriting;
+    finding.severity = Severity::Poor;
+    finding.hole = loss.hole.front();
+    finding.value = loss.file / std::max(loss.memory, kRounding);
+    finding.limit = kGrowth;
+    finding.detail = to_string(loss);
+    return finding;
+}
+
 }  // namespace suture::cli

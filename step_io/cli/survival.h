@@ -42,4 +42,7 @@ struct WritingLoss {
 /// "the largest angle is 148 deg in the file, 0.0014 deg in memory".
 [[nodiscard]] std::string to_string(const WritingLoss& loss);
 
+/// The same for the judge.
+[[nodiscard]] Finding finding_of(const WritingLoss& loss);
+
 }  // namespace suture::cli

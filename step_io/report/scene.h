@@ -4,7 +4,7 @@
 #include "suture/base/result.h"
 #include "suture/check/continuity.h"
 #include "suture/check/face_knots.h"
-#include "suture/check/summary.h"
+#include "suture/judge/summary.h"
 
 #include <TopoDS_Face.hxx>
 #include <TopoDS_Shape.hxx>

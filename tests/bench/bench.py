@@ -19,7 +19,7 @@ import time
 from pathlib import Path
 
 from cases import example_cases, reopened_cases, with_holes
-from program import BUILD, JUDGE, SUTURE, run
+from program import BUILD, REFEREE, SUTURE, run
 
 FILL_LIMIT = 600  # seconds for one run of the program
 JUDGE_LIMIT = 300
@@ -59,7 +59,7 @@ def outcome_of(done, hole):
 
 def judged(case, out):
     """What the judge says of a written file; its figures are lengths."""
-    done = run([JUDGE, case.model, out] + ([case.truth] if case.truth else []), JUDGE_LIMIT)
+    done = run([REFEREE, case.model, out] + ([case.truth] if case.truth else []), JUDGE_LIMIT)
     verdict = done.document()
     if verdict is None:
         return {"judge_error": first_line(done.err) or f"exit code {done.code}"}

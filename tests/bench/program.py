@@ -12,7 +12,7 @@ from pathlib import Path
 SOURCE = Path(__file__).resolve().parent.parent.parent
 BUILD = Path(os.environ.get("SUTURE_BINARY_DIR", SOURCE / "build/release"))
 SUTURE = Path(os.environ.get("SUTURE_PROGRAM", BUILD / "bin/suture"))
-JUDGE = BUILD / "tests/bench/suture_judge"
+REFEREE = BUILD / "tests/bench/suture_referee"
 BARE = BUILD / "tests/bench/suture_bare_read_write"
 BARE_NAMES = BUILD / "tests/bench/suture_bare_read_write_names"
 

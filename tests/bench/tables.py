@@ -26,10 +26,10 @@ Made by `cmake --preset bench && cmake --build --preset bench` (tests/bench); no
   measures the written file after reading it again; angle and curvature where the program chose to join
   smoothly.
 - **deviation**: largest distance between the new face and the lost one, both ways, divided by the hole's
-  diameter; measured by `suture_judge`, which shares no code with the program. "-": the lost face is not
+  diameter; measured by `suture_referee`, which shares no code with the program. "-": the lost face is not
   known.
 - **variation**: integral of |grad II|^2 over the new faces times the diameter squared, in brackets that of
-  the lost face; **signs**: how often the Gauss curvature changes its sign, likewise. By `suture_judge`.
+  the lost face; **signs**: how often the Gauss curvature changes its sign, likewise. By `suture_referee`.
   Where the new face varies less than the lost one, the boundary does not tell what was inside.
 - **net**: degree and number of poles of the new surfaces, or the name of a closed form.
 - **valid**: the written file holds no free edge where the hole was, and OCCT's BRepCheck finds nothing

@@ -19,8 +19,10 @@ ALLOWED = {
     "occt_filling": CORE + ["occ", "detect", "ribbon"],
     "faces": ["base", "spline", "model", "occ", "detect", "ribbon"],
     "check": ["base", "occ"],
-    "choose": CORE + ["occ", "detect", "ribbon", "occt_filling", "faces", "check"],
+    "judge": ["base", "spline", "model", "occ", "check"],
+    "choose": CORE + ["occ", "detect", "ribbon", "occt_filling", "faces", "check", "judge"],
 }
+ALLOWED["flow"] = list(ALLOWED)
 KERNEL = list(ALLOWED)
 ALLOWED["kernel"] = KERNEL
 ALLOWED["files"] = KERNEL + ["kernel"]

@@ -1,5 +1,6 @@
 #include "suture/choose/choose.h"
 
+#include "suture/choose/asked.h"
 #include "suture/fill/fill.h"
 
 #include <algorithm>
@@ -95,14 +96,6 @@ std::vector<Attempt> attempts_for(const std::vector<BoundaryLoop>& loops, const 
 /// left.
 constexpr double kNear = 30.0;
 
-/// A surface that is off by a fiftieth of the hole, or folded back at its border, closes nothing:
-/// `auto` never takes it, `occt` only if OCCT has nothing better.
-constexpr double kHopelessGap = 0.02;
-constexpr double kHopelessAngle = radians(90.0);
-
-/// Beyond this nothing is taken: edges with such a tolerance would swallow the faces around them.
-constexpr double kWildGap = 0.1;
-
 /// Whether an attempt can be better than the best so far, and may take its time.
 bool worthwhile(const Attempt& attempt, const std::optional<Choice>& best, bool automatic,
                 Effort effort) {
@@ -110,64 +103,36 @@ bool worthwhile(const Attempt& attempt, const std::optional<Choice>& best, bool 
         return true;
     }
     const bool near = automatic && best && best->near();
-    return effort == Effort::Full && !near && !(attempt.last_resort && best);
+    const bool usable = best && best->verdict.severity != Severity::Bad;
+    return effort == Effort::Full && !near && !(attempt.last_resort && usable);
 }
 
 /// How a candidate stands among the others: the less the better.
 struct Rank {
-    bool wild = false;
-    bool folded = false;
-    bool off = false;
-    double score =
-        0.0;  ///< as measured; of a folded one the gap alone, for its angle means nothing
-
-    [[nodiscard]] bool hopeless() const { return wild || off || folded; }
+    bool bad = false;
+    double score = 0.0;
     auto operator<=>(const Rank&) const = default;
 };
 
-Rank rank_of(const TrialMeasure& measured, const Hole& hole, const Tolerance& tolerance) {
-    Rank rank;
-    double gap = 0.0;
-    std::size_t next = 0;
-    for (const RibbonLoop& loop : hole.loops) {
-        for (const Ribbon& ribbon : loop.ribbons) {
-            const SideMeasure& side = measured.sides[next++];
-            gap = std::max(gap, side.gap);
-            rank.folded =
-                rank.folded || (ribbon.continuity >= Continuity::G1 && side.angle > kHopelessAngle);
-        }
-    }
-    gap = std::max(gap, measured.inner.gap);
-    rank.folded = rank.folded || (!position_only(hole) && measured.inner.angle > kHopelessAngle);
-    rank.wild = gap > kWildGap * hole.diameter;
-    rank.off = gap > kHopelessGap * hole.diameter;
-    rank.score = rank.folded ? gap / tolerance.linear : measured.score;
-    return rank;
+Rank rank_of(const Verdict& verdict) {
+    return {verdict.severity == Severity::Bad, verdict.score};
 }
 
 /// One sentence on a candidate: "occt: 1.5 times the tolerance".
-std::string verdict(const std::string& name, const TrialMeasure& measured, const Rank& rank) {
-    if (measured.score <= 1.0) {
+std::string sentence(const std::string& name, const Verdict& verdict) {
+    if (verdict.within()) {
         return fmt::format("{}: within tolerance", name);
     }
-    std::string text = fmt::format("{}: {:.3g} times the tolerance", name, measured.score);
-    if (!rank.hopeless()) {
-        return text;
+    if (verdict.severity == Severity::Bad) {
+        return fmt::format("{}: {}", name, to_text(verdict.findings.front()));
     }
-    double gap = measured.inner.gap;
-    double angle = measured.inner.angle;
-    for (const SideMeasure& side : measured.sides) {
-        gap = std::max(gap, side.gap);
-        angle = std::max(angle, side.angle);
-    }
-    return fmt::format("{}, {} (gap {:.3g}, angle {:.3g} deg)", text,
-                       rank.folded ? "folded back" : "far off", gap, degrees(angle));
+    return fmt::format("{}: {:.3g} times the tolerance", name, verdict.score);
 }
 
 }  // namespace
 
 bool Choice::near() const {
-    return measured.score <= kNear;
+    return verdict.severity != Severity::Bad && verdict.score <= kNear;
 }
 
 Result<void> validate_method(const std::string& method) {
@@ -195,8 +160,8 @@ std::span<const MethodOption> options_of(std::string_view method) {
 Result<Choice> choose_fill(const std::vector<BoundaryLoop>& loops, const Hole& hole,
                            const FillRequest& request, const Tolerance& tolerance, Effort effort) {
     const bool automatic = request.method == "auto";
+    const AskedFill asked = asked_of(loops, hole, {}, tolerance);
     std::optional<Choice> best;
-    Rank best_rank;
     std::vector<std::string> verdicts;
     double seconds = 0.0;
     for (const Attempt& attempt : attempts_for(loops, hole, request, tolerance)) {
@@ -217,23 +182,19 @@ Result<Choice> choose_fill(const std::vector<BoundaryLoop>& loops, const Hole& h
             verdicts.push_back(attempt.name + ": " + fill.error().message);
             continue;
         }
-        auto measured = try_fill(loops, hole, *fill, tolerance, request.progress);
-        if (!measured) {
-            verdicts.push_back(attempt.name + ": " + measured.error().message);
+        auto measures = try_fill(loops, hole, *fill, tolerance, request.progress);
+        if (!measures) {
+            verdicts.push_back(attempt.name + ": " + measures.error().message);
             continue;
         }
-        const Rank rank = rank_of(*measured, hole, tolerance);
-        verdicts.push_back(verdict(attempt.name, *measured, rank));
-        const bool taken_anyway = attempt.last_resort && !rank.off;
-        if (rank.wild || (request.method != "occt" && rank.hopeless() && !taken_anyway)) {
-            verdicts.back() += ", not taken";
-            continue;
+        Verdict verdict = judge_fill(asked, *measures);
+        verdicts.push_back(sentence(attempt.name, verdict));
+        if (!best || rank_of(verdict) < rank_of(best->verdict)) {
+            best = Choice{
+                attempt.name, std::move(*fill), std::move(*measures), std::move(verdict), {}, 0.0};
         }
-        if (!best || rank < best_rank) {
-            best = Choice{attempt.name, std::move(*fill), std::move(*measured), {}, 0.0};
-            best_rank = rank;
-        }
-        if (best->measured.score <= 1.0 || (!automatic && !rank.hopeless())) {
+        const bool bad = best->verdict.severity == Severity::Bad;
+        if (best->verdict.within() || (!automatic && !bad)) {
             break;
         }
     }

@@ -3,6 +3,7 @@
 #include "suture/base/result.h"
 #include "suture/choose/request.h"
 #include "suture/choose/trial.h"
+#include "suture/judge/judge_fill.h"
 #include "suture/model/patch.h"
 #include "suture/model/ribbon.h"
 
@@ -17,7 +18,8 @@ namespace suture {
 struct Choice {
     std::string method;
     FillResult fill;
-    TrialMeasure measured;
+    FillMeasures measures;
+    Verdict verdict;
     std::string reason;
     double seconds = 0.0;  ///< in the fill methods, all that were tried
 
@@ -31,9 +33,10 @@ enum class Effort {
 };
 
 /// Fills one hole with the method asked for, or (auto) with the best of those that apply: each is
-/// tried and measured; the first within tolerance is taken, else the one that comes nearest.
+/// tried and judged; the first within tolerance is taken, else the one that comes nearest.
 ///
 /// Input    hole: with the continuity wanted on each ribbon.
+/// Result   a fill that is bad only where there is no better one: it is the caller's to refuse it.
 /// Refuses  when no method gives a valid face; the message has every method's own reason.
 [[nodiscard]] Result<Choice> choose_fill(const std::vector<BoundaryLoop>& loops, const Hole& hole,
                                          const FillRequest& request, const Tolerance& tolerance,

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "suture/judge/judge_fill.h"
 #include "suture/model/continuity.h"
 #include "suture/model/implicit_form.h"
 
@@ -52,7 +53,15 @@ struct HoleReport {
     std::vector<std::string> notes;
     double seconds = 0.0;
     std::string reason;  ///< why this method, or why refused or skipped
-    bool within_tolerance = false;
+    bool tried = false;  ///< the figures are those of a fill: of the best try where it was refused
+    AskedFill asked;     ///< what the figures are held against
+    Verdict verdict;     ///< what they are worth
 };
+
+/// Sets the figures of a hole, and what they are worth. Used for what was tried, and for what was
+/// read back.
+///
+/// Changes  report: its sides, maxima, continuity reached and verdict.
+void set_figures(const FillMeasures& measures, HoleReport& report);
 
 }  // namespace suture

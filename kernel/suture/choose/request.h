@@ -29,6 +29,8 @@ struct FillRequest {
     PlateSetting plate_setting = PlateSetting::Default;
     Tolerance tolerance;
     std::chrono::milliseconds plate_limit{120'000};  ///< for each run of OCCT's filling
+    bool keep_bad = false;        ///< put fills into the model that the judge calls bad
+    std::vector<int> leave_open;  ///< ids of holes whose fill came out bad in the written file
     Progress progress;
 };
 

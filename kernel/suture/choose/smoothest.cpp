@@ -1,6 +1,7 @@
 #include "suture/choose/smoothest.h"
 
 #include "suture/check/profile.h"
+#include "suture/choose/asked.h"
 #include "suture/fill/fill.h"
 
 #include <fmt/format.h>
@@ -28,12 +29,25 @@ void for_each_side(Hole& hole, Action&& action) {
 /// edge.
 const double kSharp = Profile().sharp;
 
+/// Beyond this an angle tells nothing: the surface has folded back.
+constexpr double kFolded = radians(90.0);
+
+/// Whether a fill can be worked with but for sides that are sharp.
+bool is_shaped(const Result<Choice>& choice) {
+    return choice &&
+           std::none_of(choice->verdict.findings.begin(), choice->verdict.findings.end(),
+                        [](const Finding& finding) {
+                            return finding.severity == Severity::Bad &&
+                                   (finding.kind != FindingKind::Angle || finding.value > kFolded);
+                        });
+}
+
 /// Which sides ask for tangency by our own choice and came out sharp; none without a fill.
 std::vector<bool> sharp_sides(const std::vector<Wish>& wishes, const Result<Choice>& choice) {
     std::vector<bool> sharp(wishes.size(), false);
-    for (std::size_t i = 0; choice && i < wishes.size(); ++i) {
+    for (std::size_t i = 0; is_shaped(choice) && i < wishes.size(); ++i) {
         sharp[i] = wishes[i].own && wishes[i].continuity == Continuity::G1 &&
-                   choice->measured.sides[i].angle > kSharp;
+                   choice->measures.sides[i].max_angle > kSharp;
     }
     return sharp;
 }
@@ -50,9 +64,11 @@ std::string why_not_tangent(const Result<Choice>& tangent) {
 /// Asks for position only along these sides.
 void relax(const std::vector<bool>& sides, const std::string& why, Hole& hole,
            std::vector<Wish>& wishes) {
+    const std::vector<bool> walls = steep_sides(hole);
     for_each_side(hole, [&](Ribbon& ribbon, std::size_t i) {
         if (sides[i] && wishes[i].own) {
-            wishes[i] = {Continuity::G0, why};
+            wishes[i] = {Continuity::G0,    why,     /*hoped=*/false, /*own=*/false,
+                         /*given_up=*/true, walls[i]};
             ribbon.continuity = Continuity::G0;
         }
     });
@@ -78,19 +94,20 @@ Result<Choice> choose_tangent(const std::vector<BoundaryLoop>& loops, Hole& hole
         return choose_fill(loops, hole, request, tolerance);
     }
     auto tangent = choose_fill(loops, hole, request, tolerance, Effort::Quick);
+    const bool shaped = is_shaped(tangent);
     const std::vector<bool> sharp = sharp_sides(wishes, tangent);
     if (!tangent && tangent.error().code == ErrorCode::Cancelled) {
         return tangent;
     }
     const bool automatic = request.method == "auto";
-    if (tangent && !any(sharp)) {
+    if (shaped && !any(sharp)) {
         return tangent->near() || !automatic ? tangent
                                              : choose_fill(loops, hole, request, tolerance);
     }
     double seconds = tangent ? tangent->seconds : 0.0;
     const std::string why = why_not_tangent(tangent);
     const std::vector<bool> all(wishes.size(), true);
-    for (const std::vector<bool>& sides : {tangent ? sharp : steep_sides(hole), all}) {
+    for (const std::vector<bool>& sides : {shaped ? sharp : steep_sides(hole), all}) {
         if (!any(sides)) {
             continue;
         }
@@ -128,23 +145,24 @@ Result<Choice> choose_smoothest(const std::vector<BoundaryLoop>& loops, Hole& ho
     if (!smooth && smooth.error().code == ErrorCode::Cancelled) {
         return smooth;
     }
-    bool good = smooth.has_value() && smooth->measured.through <= tolerance.linear;
     for_each_side(hole, [&](Ribbon& ribbon, std::size_t i) {
         Wish& wish = wishes[i];
-        const SideMeasure side = smooth ? smooth->measured.sides[i] : SideMeasure();
-        if (wish.hoped && (!smooth || side.curvature_mismatch > kSafe * tolerance.curvature)) {
+        const double mismatch = smooth ? smooth->measures.sides[i].curvature_mismatch : 0.0;
+        if (wish.hoped && (!smooth || mismatch > kSafe * tolerance.curvature)) {
             wish.continuity = ribbon.continuity = Continuity::G1;
             wish.reason = smooth
                               ? fmt::format(
                                     "auto: continuous curvature was tried, and is reached to "
                                     "{:.3g} %",
-                                    100.0 * side.curvature_mismatch)
+                                    100.0 * mismatch)
                               : "auto: continuous curvature was tried: " + smooth.error().message;
         }
-        good = good && smooth && score_of(side, wish.continuity, tolerance) <= 1.0;
     });
-    if (good) {
-        return smooth;
+    if (smooth) {
+        smooth->verdict = judge_fill(asked_of(loops, hole, wishes, tolerance), smooth->measures);
+        if (smooth->verdict.within()) {
+            return smooth;
+        }
     }
     for_each_side(hole, [&](Ribbon& ribbon, std::size_t i) {
         if (wishes[i].hoped && wishes[i].continuity == Continuity::G2) {

@@ -14,6 +14,8 @@ struct Wish {
     std::string reason;
     bool hoped = false;  ///< G2 by our own choice: G1 will do where it costs gap or angle
     bool own = false;    ///< G1 or G2 by our own choice: position will do where no fill is tangent
+    bool given_up = false;  ///< position, because no fill was found that is tangent there
+    bool wall = false;      ///< given up where the neighbour stands on the opening like a wall
 };
 
 /// What to ask for along each side, side by side in the order of the loops.

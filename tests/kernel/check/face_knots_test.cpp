@@ -1,6 +1,6 @@
 #include "suture/check/face_knots.h"
 
-#include "suture/check/summary.h"
+#include "suture/judge/summary.h"
 
 #include "kernel/check/shapes.h"
 #include <gmock/gmock.h>

@@ -80,7 +80,7 @@ TEST(FillHoles, ClosesABoxWithoutALidByAPlane) {
         ASSERT_EQ(outcome->holes.size(), 1U);
         EXPECT_EQ(outcome->holes[0].status, FillStatus::Filled);
         EXPECT_EQ(outcome->holes[0].method_used, "plane");
-        EXPECT_TRUE(outcome->holes[0].within_tolerance);
+        EXPECT_TRUE(outcome->holes[0].verdict.within());
         EXPECT_NEAR(volume(outcome->shape), 24.0, 1e-9);
     }
 }
@@ -273,7 +273,7 @@ TEST(FillHoles, IsTheSameInEveryOrientationAndScale) {
             const auto outcome = fill(open, request);
             ASSERT_TRUE(outcome) << outcome.error().message;
             EXPECT_EQ(outcome->shape.ShapeType(), TopAbs_SOLID);
-            EXPECT_TRUE(outcome->holes[0].within_tolerance) << outcome->holes[0].reason;
+            EXPECT_TRUE(outcome->holes[0].verdict.within()) << outcome->holes[0].reason;
             // A corner holds an octant of a ball of radius 2: 0.26 % of the body.
             EXPECT_NEAR(volume(outcome->shape) / std::pow(scale, 3), truth, 1e-4 * truth);
         }
@@ -347,7 +347,7 @@ TEST(FillHoles, JoinsWithContinuousCurvatureWhereTheNeighboursAgree) {
     const HoleReport hole = fill_tube_by_mvs(0.02, outcome);
     ASSERT_EQ(hole.status, FillStatus::Filled) << hole.reason;
     expect_closed_solid(outcome);
-    EXPECT_TRUE(hole.within_tolerance);
+    EXPECT_TRUE(hole.verdict.within());
     EXPECT_EQ(hole.continuity_reached, Continuity::G2);
     for (const SideReport& side : hole.sides) {
         EXPECT_EQ(side.requested, Continuity::G2) << side.reason;
@@ -360,7 +360,7 @@ TEST(FillHoles, IsContentWithTangencyWhereCurvatureIsNotReached) {
     const HoleReport hole = fill_tube_by_mvs(1e-9, outcome);
     ASSERT_EQ(hole.status, FillStatus::Filled) << hole.reason;
     expect_closed_solid(outcome);
-    EXPECT_TRUE(hole.within_tolerance);
+    EXPECT_TRUE(hole.verdict.within());
     EXPECT_GE(hole.continuity_reached, Continuity::G1);
     for (const SideReport& side : hole.sides) {
         EXPECT_EQ(side.requested, Continuity::G1);
@@ -393,7 +393,7 @@ TEST(FillHoles, ClosesABoxWithoutItsRoundTopInPosition) {
     expect_closed_solid(*outcome);
     const HoleReport& hole = outcome->holes.front();
     ASSERT_EQ(hole.status, FillStatus::Filled) << hole.reason;
-    EXPECT_TRUE(hole.within_tolerance) << hole.reason;
+    EXPECT_TRUE(hole.verdict.within()) << hole.reason;
     for (const SideReport& side : hole.sides) {
         EXPECT_EQ(side.requested, Continuity::G0);
         EXPECT_NE(side.reason.find("as walls do"), std::string::npos) << side.reason;
@@ -476,7 +476,7 @@ TEST(FillHoles, TriesOcctAgainWhereItsSurfaceFolds) {
     const HoleReport hole = fill_window_by_occt(3.5, outcome);
     ASSERT_EQ(hole.status, FillStatus::Filled) << hole.reason;
     expect_closed_solid(outcome);
-    EXPECT_FALSE(hole.within_tolerance);
+    EXPECT_FALSE(hole.verdict.within());
     EXPECT_NE(hole.reason.find("occt: "), std::string::npos) << hole.reason;
     EXPECT_NE(hole.reason.find("occt (position only): "), std::string::npos) << hole.reason;
 }

@@ -57,7 +57,7 @@ TEST(FillModel, FillsAnAssemblyWithHolesInManyPartsAndKeepsTreeNamesAndColours) 
     EXPECT_EQ(summary->holes.size(), 13U);
     for (const HoleReport& hole : summary->holes) {
         EXPECT_EQ(hole.status, FillStatus::Filled) << hole.reason;
-        EXPECT_TRUE(hole.within_tolerance) << hole.reason;
+        EXPECT_TRUE(hole.verdict.within()) << hole.reason;
     }
     EXPECT_TRUE(summary->validity.valid);
     EXPECT_TRUE(summary->validity.closed);

@@ -1,6 +1,6 @@
 // Judges a filled model from outside: finds the new faces in the written file and measures how far
 // they are from the face that was taken out. OCCT alone; shares no code with what it judges.
-//     suture_judge OPEN.step OUT.step [TRUTH.brep]    prints one JSON object
+//     suture_referee OPEN.step OUT.step [TRUTH.brep]    prints one JSON object
 
 #include "bench/face_distance.h"
 #include "bench/fairness.h"
@@ -229,7 +229,7 @@ Json judge(const char* open_file, const char* out_file, const char* truth_file) 
 
 int main(int argc, char** argv) {
     if (argc != 3 && argc != 4) {
-        std::cerr << "usage: suture_judge OPEN.step OUT.step [TRUTH.brep]\n";
+        std::cerr << "usage: suture_referee OPEN.step OUT.step [TRUTH.brep]\n";
         return 1;
     }
     Message::DefaultMessenger()->ChangePrinters().Clear();

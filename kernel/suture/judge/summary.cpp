@@ -1,4 +1,4 @@
-#include "suture/check/summary.h"
+#include "suture/judge/summary.h"
 
 #include <fmt/ranges.h>
 

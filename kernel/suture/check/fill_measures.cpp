@@ -1,0 +1,174 @@
+#include "suture/check/fill_measures.h"
+
+#include "suture/check/point_distance.h"
+#include "suture/occ/guard.h"
+
+#include <BRepAdaptor_Curve.hxx>
+#include <BRep_Builder.hxx>
+#include <BRep_Tool.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_Compound.hxx>
+
+#include <algorithm>
+#include <set>
+
+namespace suture {
+namespace {
+
+/// The edges of a fill's new faces, each once; edges without length bound nothing.
+std::set<int> edges_of_faces(const FillPlace& place, const occ::Numbering& numbering) {
+    std::set<int> edges;
+    for (const int face : place.faces) {
+        if (face == 0) {
+            continue;
+        }
+        for (const TopoDS_Edge& edge : occ::edges_of(numbering.faces(face))) {
+            if (!BRep_Tool::Degenerated(edge)) {
+                edges.insert(numbering.of(edge));
+            }
+        }
+    }
+    return edges;
+}
+
+EdgeFacts facts_of(int number, const occ::Numbering& numbering) {
+    const TopoDS_Edge edge = TopoDS::Edge(numbering.edges(number));
+    const BRepAdaptor_Curve curve(edge);
+    const gp_Pnt middle = curve.Value(0.5 * (curve.FirstParameter() + curve.LastParameter()));
+    return {number, BRep_Tool::Tolerance(edge), {middle.X(), middle.Y(), middle.Z()}};
+}
+
+/// Those of the numbers that are wanted.
+std::vector<EdgeFacts> facts_of(const std::vector<int>& numbers, const std::set<int>& wanted,
+                                const occ::Numbering& numbering) {
+    std::vector<EdgeFacts> result;
+    for (const int number : numbers) {
+        if (wanted.contains(number)) {
+            result.push_back(facts_of(number, numbering));
+        }
+    }
+    return result;
+}
+
+FillMeasures measures_of(const FillPlace& place, const std::set<int>& own,
+                         const ContinuityReport& report, const occ::Numbering& numbering) {
+    FillMeasures measures;
+    const auto measured = [&](int number) {
+        const auto found =
+            std::lower_bound(report.edges.begin(), report.edges.end(), number,
+                             [](const EdgeContinuity& e, int wanted) { return e.edge < wanted; });
+        const bool is_there = found != report.edges.end() && found->edge == number;
+        EdgeContinuity edge = is_there ? *found : EdgeContinuity();
+        edge.edge = number;
+        return edge;
+    };
+    std::set<int> all = own;
+    std::set<int> inner = own;
+    for (const int side : place.sides) {
+        measures.sides.push_back(measured(side));
+        inner.erase(side);
+        if (side > 0) {
+            all.insert(side);
+        }
+    }
+    measures.open_edges = facts_of(report.free_edges, all, numbering);
+    measures.crowded_edges = facts_of(report.non_manifold, all, numbering);
+    for (const int edge : inner) {
+        // An edge between two faces; what is open is told as such.
+        if (EdgeContinuity figures = measured(edge); figures.samples > 0) {
+            measures.inner.push_back(std::move(figures));
+        }
+    }
+    for (const int edge : own) {
+        measures.edges.push_back(facts_of(edge, numbering));
+    }
+    measures.lost_faces = static_cast<int>(std::count(place.faces.begin(), place.faces.end(), 0));
+    return measures;
+}
+
+/// The knot lines of all new faces, by the numbers of the shape.
+Result<std::vector<KnotLine>> creases_of(const std::vector<FillPlace>& places,
+                                         const occ::Numbering& numbering,
+                                         const Progress& progress) {
+    const BRep_Builder builder;
+    TopoDS_Compound new_faces;
+    builder.MakeCompound(new_faces);
+    std::vector<int> numbers;
+    for (const FillPlace& place : places) {
+        for (const int face : place.faces) {
+            if (face > 0 && std::find(numbers.begin(), numbers.end(), face) == numbers.end()) {
+                builder.Add(new_faces, numbering.faces(face));
+                numbers.push_back(face);
+            }
+        }
+    }
+    auto lines = measure_face_knots(new_faces, progress);
+    if (lines) {
+        for (KnotLine& line : *lines) {
+            line.face = numbers[static_cast<std::size_t>(line.face - 1)];
+        }
+    }
+    return lines;
+}
+
+void measure_through(const FillPlace& place, const occ::Numbering& numbering,
+                     FillMeasures& measures) {
+    std::vector<TopoDS_Face> faces;
+    for (const int face : place.faces) {
+        if (face > 0) {
+            faces.push_back(TopoDS::Face(numbering.faces(face)));
+        }
+    }
+    for (const Eigen::Vector3d& point : place.through) {
+        const double distance = measure_distance(point, faces);
+        if (distance > measures.through) {
+            measures.through = distance;
+            measures.through_at = point;
+        }
+    }
+}
+
+}  // namespace
+
+Result<std::vector<FillMeasures>> measure_fills(const TopoDS_Shape& shape,
+                                                const occ::Numbering& numbering,
+                                                const std::vector<FillPlace>& places,
+                                                const Profile& profile, const Progress& progress) {
+    std::vector<std::set<int>> own;
+    std::set<int> wanted;
+    for (const FillPlace& place : places) {
+        own.push_back(edges_of_faces(place, numbering));
+        wanted.insert(own.back().begin(), own.back().end());
+        wanted.insert(place.sides.begin(), place.sides.end());
+    }
+    wanted.erase(0);
+    // No edges would mean all of them.
+    const Result<ContinuityReport> report =
+        wanted.empty()
+            ? ContinuityReport()
+            : measure_continuity(shape, profile, {wanted.begin(), wanted.end()}, progress);
+    if (!report) {
+        return tl::unexpected(report.error());
+    }
+    const auto creases = creases_of(places, numbering, progress);
+    if (!creases) {
+        return tl::unexpected(creases.error());
+    }
+    return occ::guarded("measuring the new faces", [&] {
+        std::vector<FillMeasures> result;
+        for (std::size_t i = 0; i < places.size(); ++i) {
+            FillMeasures measures = measures_of(places[i], own[i], *report, numbering);
+            for (const KnotLine& line : *creases) {
+                const auto& faces = places[i].faces;
+                if (std::find(faces.begin(), faces.end(), line.face) != faces.end()) {
+                    measures.creases.push_back(line);
+                }
+            }
+            measure_through(places[i], numbering, measures);
+            result.push_back(std::move(measures));
+        }
+        return result;
+    });
+}
+
+}  // namespace suture

@@ -1,0 +1,54 @@
+#pragma once
+
+#include "suture/base/progress.h"
+#include "suture/base/result.h"
+#include "suture/check/continuity.h"
+#include "suture/check/face_knots.h"
+#include "suture/occ/topology.h"
+
+#include <Eigen/Core>
+
+#include <TopoDS_Shape.hxx>
+
+#include <vector>
+
+namespace suture {
+
+/// Where a fill is in a shape, by the shape's own numbers.
+struct FillPlace {
+    std::vector<int> sides;  ///< EdgeN of each side of the hole, in their order; 0: not found
+    std::vector<int> faces;  ///< FaceN of the new faces; 0: not found
+    std::vector<Eigen::Vector3d> through;  ///< points that the new faces were to pass
+};
+
+/// An edge of a new face, and what it is good for in the shape.
+struct EdgeFacts {
+    int edge = 0;  ///< EdgeN
+    double tolerance = 0.0;
+    Eigen::Vector3d at = Eigen::Vector3d::Zero();  ///< the middle of the edge
+};
+
+/// What a fill is like in a shape. All edges and faces by the shape's own numbers.
+struct FillMeasures {
+    std::vector<EdgeContinuity> sides;     ///< as FillPlace::sides; no samples: not measured
+    std::vector<EdgeContinuity> inner;     ///< edges of new faces that are no sides
+    std::vector<KnotLine> creases;         ///< knot lines of the new faces
+    std::vector<EdgeFacts> edges;          ///< all edges of the new faces
+    std::vector<EdgeFacts> open_edges;     ///< of these and the sides: those that one face uses
+    std::vector<EdgeFacts> crowded_edges;  ///< the same that more than two faces use
+    int lost_faces = 0;                    ///< new faces that were not found
+    double through = 0.0;                  ///< largest distance of a point that was to be passed
+    Eigen::Vector3d through_at = Eigen::Vector3d::Zero();
+};
+
+/// Measures fills in a shape that holds them, all in one run of the continuity check.
+///
+/// Input    numbering: the shape's.
+/// Refuses  what measure_continuity refuses.
+[[nodiscard]] Result<std::vector<FillMeasures>> measure_fills(const TopoDS_Shape& shape,
+                                                              const occ::Numbering& numbering,
+                                                              const std::vector<FillPlace>& places,
+                                                              const Profile& profile,
+                                                              const Progress& progress);
+
+}  // namespace suture

@@ -1,0 +1,51 @@
+#include "suture/choose/asked.h"
+
+#include <Eigen/Geometry>
+
+#include <BRep_Tool.hxx>
+
+#include <algorithm>
+#include <cmath>
+
+namespace suture {
+namespace {
+
+/// How two ribbons miss each other where the first ends and the second begins.
+void add_corner(const Ribbon& before, const Ribbon& after, AskedSide& side) {
+    const RibbonPoint a = before.at(1.0);
+    const RibbonPoint b = after.at(0.0);
+    side.corner_gap = std::max(side.corner_gap, (a.point - b.point).norm());
+    side.corner_angle = std::max(
+        side.corner_angle, std::atan2(a.normal.cross(b.normal).norm(), a.normal.dot(b.normal)));
+}
+
+}  // namespace
+
+AskedFill asked_of(const std::vector<BoundaryLoop>& loops, const Hole& hole,
+                   const std::vector<Wish>& wishes, const Tolerance& tolerance) {
+    AskedFill asked;
+    asked.hole = loops.front().id;
+    asked.diameter = hole.diameter;
+    asked.tolerance = tolerance;
+    for (std::size_t l = 0; l < hole.loops.size(); ++l) {
+        const std::vector<Ribbon>& ribbons = hole.loops[l].ribbons;
+        const std::size_t n = ribbons.size();
+        for (std::size_t i = 0; i < n; ++i) {
+            AskedSide side;
+            side.edge = ribbons[i].edge;
+            side.continuity = ribbons[i].continuity;
+            side.tolerance = BRep_Tool::Tolerance(loops[l].edges[i].edge);
+            add_corner(ribbons[(i + n - 1) % n], ribbons[i], side);
+            add_corner(ribbons[i], ribbons[(i + 1) % n], side);
+            if (!wishes.empty()) {
+                const Wish& wish = wishes[asked.sides.size()];
+                side.given_up = wish.given_up;
+                side.wall = wish.wall;
+            }
+            asked.sides.push_back(side);
+        }
+    }
+    return asked;
+}
+
+}  // namespace suture

@@ -1,0 +1,19 @@
+#pragma once
+
+#include "suture/choose/wishes.h"
+#include "suture/detect/boundary_loop.h"
+#include "suture/judge/judge_fill.h"
+#include "suture/model/ribbon.h"
+
+#include <vector>
+
+namespace suture {
+
+/// What a fill of a hole is held against: the continuity of its ribbons, how the neighbours meet at
+/// its corners, what its edges are good for.
+///
+/// Input    wishes: which sides have given tangency up; may be empty.
+[[nodiscard]] AskedFill asked_of(const std::vector<BoundaryLoop>& loops, const Hole& hole,
+                                 const std::vector<Wish>& wishes, const Tolerance& tolerance);
+
+}  // namespace suture

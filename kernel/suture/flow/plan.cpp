@@ -1,0 +1,80 @@
+#include "suture/flow/plan.h"
+
+#include "suture/choose/choose.h"
+#include "suture/choose/select.h"
+#include "suture/detect/find_loops.h"
+#include "suture/ribbon/extract.h"
+
+#include <algorithm>
+
+namespace suture {
+namespace {
+
+/// Whether everything in a request can be asked for.
+Result<void> validate(const FillRequest& request) {
+    for (auto& valid :
+         {validate(request.tolerance), validate_method(request.method),
+          validate_options(request.method, options_of(request.method), request.options)}) {
+        if (!valid) {
+            return valid;
+        }
+    }
+    return {};
+}
+
+/// What every ribbon should do, as the wishes have it.
+void ask(Hole& hole, const std::vector<Wish>& wishes) {
+    std::size_t next = 0;
+    for (RibbonLoop& loop : hole.loops) {
+        for (Ribbon& ribbon : loop.ribbons) {
+            ribbon.continuity = wishes[next++].continuity;
+        }
+    }
+}
+
+bool is_left_open(const std::vector<BoundaryLoop>& loops, const FillRequest& request) {
+    return std::any_of(request.leave_open.begin(), request.leave_open.end(),
+                       [&](int id) { return id == loops.front().id; });
+}
+
+HolePlan plan_of(const std::vector<BoundaryLoop>& loops, const FillRequest& request) {
+    if (is_left_open(loops, request)) {
+        return {loops, fail(ErrorCode::Refused, "left open"), {}};
+    }
+    HolePlan plan{loops, extract_hole(loops), {}};
+    if (plan.hole) {
+        plan.hole->through = request.through;
+        plan.wishes = wishes_for(*plan.hole, request);
+        ask(*plan.hole, plan.wishes);
+    }
+    return plan;
+}
+
+}  // namespace
+
+Result<FillPlan> plan_fills(const TopoDS_Shape& shape, const occ::Numbering& numbering,
+                            const FillRequest& request) {
+    if (auto valid = validate(request); !valid) {
+        return tl::unexpected(valid.error());
+    }
+    const auto loops = find_loops(shape, numbering);
+    if (!loops) {
+        return tl::unexpected(loops.error());
+    }
+    const auto selection = select_holes(*loops, request);
+    if (!selection) {
+        return tl::unexpected(selection.error());
+    }
+    if (!request.through.empty() && selection->holes.size() != 1) {
+        return fail(ErrorCode::Usage,
+                    "points to pass through belong to one hole, not to {}: choose it with --hole",
+                    selection->holes.size());
+    }
+    FillPlan plan{{}, selection->skipped};
+    for (const std::vector<BoundaryLoop>& hole : selection->holes) {
+        plan.holes.push_back(plan_of(hole, request));
+    }
+    return plan;
+}
+
+}  // namespace suture

@@ -1,0 +1,38 @@
+#pragma once
+
+#include "suture/base/result.h"
+#include "suture/choose/report.h"
+#include "suture/choose/request.h"
+#include "suture/choose/wishes.h"
+#include "suture/detect/boundary_loop.h"
+#include "suture/model/ribbon.h"
+#include "suture/occ/topology.h"
+
+#include <TopoDS_Shape.hxx>
+
+#include <vector>
+
+namespace suture {
+
+/// One missing face: what bounds it, and what is wanted of the fill.
+struct HolePlan {
+    std::vector<BoundaryLoop> loops;  ///< the longest first
+    Result<Hole> hole;                ///< its ribbons, or why it has none
+    std::vector<Wish> wishes;         ///< side by side, in the order of the loops
+};
+
+/// What is to be filled, and why the rest is not.
+struct FillPlan {
+    std::vector<HolePlan> holes;
+    std::vector<HoleReport> skipped;
+};
+
+/// Looks and decides what is wanted: loops, which of them, ribbons, wishes. Changes nothing.
+///
+/// Refuses  unknown methods and options, hole ids and edges that do not exist (Usage); a shape
+///          without a hole (NothingToDo).
+[[nodiscard]] Result<FillPlan> plan_fills(const TopoDS_Shape& shape,
+                                          const occ::Numbering& numbering,
+                                          const FillRequest& request);
+
+}  // namespace suture
