@@ -11,7 +11,7 @@ Result<FillOutcome> fill_holes(const TopoDS_Shape& shape, const occ::Numbering& 
     if (!plan) {
         return tl::unexpected(plan.error());
     }
-    auto computed = compute_fills(*plan, request);
+    auto computed = compute_fills(shape, *plan, request);
     if (!computed) {
         return tl::unexpected(computed.error());
     }

@@ -86,6 +86,18 @@ FillMeasures measures_of(const FillPlace& place, const std::set<int>& own,
     return measures;
 }
 
+/// A face lies on another one that is nearer than so many times the tolerance, or than this part of
+/// the hole's diameter: what two fits of one surface differ by.
+constexpr double kOnSurface = 10.0;
+constexpr double kOnSurfaceShare = 1e-4;
+
+/// The new faces that were found.
+std::vector<int> found_faces(const FillPlace& place) {
+    std::vector<int> faces = place.faces;
+    std::erase(faces, 0);
+    return faces;
+}
+
 /// The knot lines of all new faces, by the numbers of the shape.
 Result<std::vector<KnotLine>> creases_of(const std::vector<FillPlace>& places,
                                          const occ::Numbering& numbering,
@@ -154,10 +166,15 @@ Result<std::vector<FillMeasures>> measure_fills(const TopoDS_Shape& shape,
     if (!creases) {
         return tl::unexpected(creases.error());
     }
-    return occ::guarded("measuring the new faces", [&] {
+    return occ::guarded("measuring the new faces", [&]() -> Result<std::vector<FillMeasures>> {
         std::vector<FillMeasures> result;
         for (std::size_t i = 0; i < places.size(); ++i) {
             FillMeasures measures = measures_of(places[i], own[i], *report, numbering);
+            auto folds = find_folds(shape, found_faces(places[i]), progress);
+            if (!folds) {
+                return tl::unexpected(folds.error());
+            }
+            measures.folds = std::move(*folds);
             for (const KnotLine& line : *creases) {
                 const auto& faces = places[i].faces;
                 if (std::find(faces.begin(), faces.end(), line.face) != faces.end()) {
@@ -169,6 +186,19 @@ Result<std::vector<FillMeasures>> measure_fills(const TopoDS_Shape& shape,
         }
         return result;
     });
+}
+
+Result<void> measure_clashes(const TopoDS_Shape& shape, const FillPlace& place, double diameter,
+                             const Tolerance& tolerance, const Progress& progress,
+                             FillMeasures& measures) {
+    const double on_surface = std::max(kOnSurface * tolerance.linear, kOnSurfaceShare * diameter);
+    auto report = find_clashes(shape, found_faces(place), tolerance.linear, on_surface, progress);
+    if (!report) {
+        return tl::unexpected(report.error());
+    }
+    measures.clashes = std::move(report->clashes);
+    measures.overlays = std::move(report->overlays);
+    return {};
 }
 
 }  // namespace suture

@@ -2,8 +2,11 @@
 
 #include "suture/base/progress.h"
 #include "suture/base/result.h"
+#include "suture/base/tolerance.h"
+#include "suture/check/clashes.h"
 #include "suture/check/continuity.h"
 #include "suture/check/face_knots.h"
+#include "suture/check/folds.h"
 #include "suture/occ/topology.h"
 
 #include <Eigen/Core>
@@ -30,9 +33,12 @@ struct EdgeFacts {
 
 /// What a fill is like in a shape. All edges and faces by the shape's own numbers.
 struct FillMeasures {
-    std::vector<EdgeContinuity> sides;     ///< as FillPlace::sides; no samples: not measured
-    std::vector<EdgeContinuity> inner;     ///< edges of new faces that are no sides
-    std::vector<KnotLine> creases;         ///< knot lines of the new faces
+    std::vector<EdgeContinuity> sides;  ///< as FillPlace::sides; no samples: not measured
+    std::vector<EdgeContinuity> inner;  ///< edges of new faces that are no sides
+    std::vector<KnotLine> creases;      ///< knot lines of the new faces
+    std::vector<FaceFold> folds;        ///< one for each new face that was found
+    std::vector<Clash> clashes;         ///< by measure_clashes alone, as the next
+    std::vector<Overlay> overlays;
     std::vector<EdgeFacts> edges;          ///< all edges of the new faces
     std::vector<EdgeFacts> open_edges;     ///< of these and the sides: those that one face uses
     std::vector<EdgeFacts> crowded_edges;  ///< the same that more than two faces use
@@ -41,7 +47,8 @@ struct FillMeasures {
     Eigen::Vector3d through_at = Eigen::Vector3d::Zero();
 };
 
-/// Measures fills in a shape that holds them, all in one run of the continuity check.
+/// Measures fills in a shape that holds them, all in one run of the continuity check: everything
+/// but the clashes.
 ///
 /// Input    numbering: the shape's.
 /// Refuses  what measure_continuity refuses.
@@ -50,5 +57,13 @@ struct FillMeasures {
                                                               const std::vector<FillPlace>& places,
                                                               const Profile& profile,
                                                               const Progress& progress);
+
+/// Looks where a fill passes through other faces of the shape or lies on them.
+///
+/// Input    diameter: of the hole.
+/// Changes  measures: clashes and overlays.
+[[nodiscard]] Result<void> measure_clashes(const TopoDS_Shape& shape, const FillPlace& place,
+                                           double diameter, const Tolerance& tolerance,
+                                           const Progress& progress, FillMeasures& measures);
 
 }  // namespace suture

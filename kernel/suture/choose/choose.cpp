@@ -18,7 +18,7 @@ struct Attempt {
     std::string name;
     std::function<Result<FillResult>()> fill;
     bool slow = false;
-    bool last_resort = false;  ///< only where nothing else is worth taking
+    bool last_resort = false;  ///< position only, where nothing else is worth taking
 };
 
 bool position_only(const Hole& hole) {
@@ -39,6 +39,18 @@ Hole without_tangency(Hole hole) {
     return hole;
 }
 
+/// The same hole with position alone wanted along the sides of which the request says nothing.
+Hole with_own_wishes_given_up(Hole hole, const FillRequest& request) {
+    for (RibbonLoop& loop : hole.loops) {
+        for (Ribbon& ribbon : loop.ribbons) {
+            if (!request.continuity && !request.edge_continuity.contains(ribbon.edge)) {
+                ribbon.continuity = Continuity::G0;
+            }
+        }
+    }
+    return hole;
+}
+
 std::string plate_name(PlateSetting setting, bool relaxed) {
     const bool tuned = setting == PlateSetting::Tuned;
     return relaxed ? (tuned ? "occt (tuned, position only)" : "occt (position only)")
@@ -47,8 +59,8 @@ std::string plate_name(PlateSetting setting, bool relaxed) {
 
 /// For `occt` the first attempt is what was asked for, and the others are there for holes over
 /// which that surface folds.
-std::vector<Attempt> attempts_for(const std::vector<BoundaryLoop>& loops, const Hole& hole,
-                                  const FillRequest& request, const Tolerance& tolerance) {
+std::vector<Attempt> attempts_for(const Site& site, const Hole& hole, const FillRequest& request,
+                                  const Tolerance& tolerance) {
     const bool automatic = request.method == "auto";
     std::vector<Attempt> attempts;
     for (const FillMethod& method : fill_methods()) {
@@ -68,7 +80,7 @@ std::vector<Attempt> attempts_for(const std::vector<BoundaryLoop>& loops, const 
         attempts.push_back({plate_name(setting, relaxed),
                             [&, setting, relaxed] {
                                 return fill_with_plate(
-                                    loops, relaxed ? without_tangency(hole) : hole, setting,
+                                    site.loops, relaxed ? without_tangency(hole) : hole, setting,
                                     request.plate_limit, request.progress);
                             },
                             /*slow=*/true, /*last_resort=*/automatic && relaxed});
@@ -157,14 +169,16 @@ std::span<const MethodOption> options_of(std::string_view method) {
     return row == rows.end() ? std::span<const MethodOption>() : row->options;
 }
 
-Result<Choice> choose_fill(const std::vector<BoundaryLoop>& loops, const Hole& hole,
-                           const FillRequest& request, const Tolerance& tolerance, Effort effort) {
+Result<Choice> choose_fill(const Site& site, const Hole& hole, const FillRequest& request,
+                           const Tolerance& tolerance, Effort effort) {
     const bool automatic = request.method == "auto";
-    const AskedFill asked = asked_of(loops, hole, {}, tolerance);
+    const AskedFill asked = asked_of(site.loops, hole, {}, tolerance);
+    const AskedFill less =
+        asked_of(site.loops, with_own_wishes_given_up(hole, request), {}, tolerance);
     std::optional<Choice> best;
     std::vector<std::string> verdicts;
     double seconds = 0.0;
-    for (const Attempt& attempt : attempts_for(loops, hole, request, tolerance)) {
+    for (const Attempt& attempt : attempts_for(site, hole, request, tolerance)) {
         if (request.progress.cancelled()) {
             return fail(ErrorCode::Cancelled, "stopped while filling");
         }
@@ -182,16 +196,27 @@ Result<Choice> choose_fill(const std::vector<BoundaryLoop>& loops, const Hole& h
             verdicts.push_back(attempt.name + ": " + fill.error().message);
             continue;
         }
-        auto measures = try_fill(loops, hole, *fill, tolerance, request.progress);
-        if (!measures) {
-            verdicts.push_back(attempt.name + ": " + measures.error().message);
+        auto trial = try_fill(site, hole, *fill, tolerance, request.progress);
+        if (!trial) {
+            verdicts.push_back(attempt.name + ": " + trial.error().message);
             continue;
         }
-        Verdict verdict = judge_fill(asked, *measures);
+        const AskedFill& wanted = attempt.last_resort ? less : asked;
+        Verdict verdict = judge_fill(wanted, trial->measures);
+        // Clashes take longest: they are looked for where all else is good enough to be taken.
+        if (verdict.severity != Severity::Bad &&
+            (!best || rank_of(verdict) < rank_of(best->verdict))) {
+            if (auto done = add_clashes(site, hole, tolerance, request.progress, *trial); !done) {
+                verdicts.push_back(attempt.name + ": " + done.error().message);
+                continue;
+            }
+            verdict = judge_fill(wanted, trial->measures);
+        }
         verdicts.push_back(sentence(attempt.name, verdict));
         if (!best || rank_of(verdict) < rank_of(best->verdict)) {
             best = Choice{
-                attempt.name, std::move(*fill), std::move(*measures), std::move(verdict), {}, 0.0};
+                attempt.name, std::move(*fill), std::move(trial->measures), std::move(verdict), {},
+                0.0};
         }
         const bool bad = best->verdict.severity == Severity::Bad;
         if (best->verdict.within() || (!automatic && !bad)) {

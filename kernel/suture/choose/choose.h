@@ -22,6 +22,7 @@ struct Choice {
     Verdict verdict;
     std::string reason;
     double seconds = 0.0;  ///< in the fill methods, all that were tried
+    bool relaxed = false;  ///< position only, along all sides that nobody asked to be smooth
 
     /// OCCT's filling, which can take a minute, would not come noticeably nearer.
     [[nodiscard]] bool near() const;
@@ -38,7 +39,7 @@ enum class Effort {
 /// Input    hole: with the continuity wanted on each ribbon.
 /// Result   a fill that is bad only where there is no better one: it is the caller's to refuse it.
 /// Refuses  when no method gives a valid face; the message has every method's own reason.
-[[nodiscard]] Result<Choice> choose_fill(const std::vector<BoundaryLoop>& loops, const Hole& hole,
+[[nodiscard]] Result<Choice> choose_fill(const Site& site, const Hole& hole,
                                          const FillRequest& request, const Tolerance& tolerance,
                                          Effort effort = Effort::Full);
 

@@ -64,7 +64,7 @@ std::string why_not_tangent(const Result<Choice>& tangent) {
 /// Asks for position only along these sides.
 void relax(const std::vector<bool>& sides, const std::string& why, Hole& hole,
            std::vector<Wish>& wishes) {
-    const std::vector<bool> walls = steep_sides(hole);
+    const std::vector<bool> walls = walls_of(hole);
     for_each_side(hole, [&](Ribbon& ribbon, std::size_t i) {
         if (sides[i] && wishes[i].own) {
             wishes[i] = {Continuity::G0,    why,     /*hoped=*/false, /*own=*/false,
@@ -85,15 +85,14 @@ bool does_without_tangency(const std::string& method) {
 
 /// The fill that is tangent where that was asked for, or the one that gives it up where the hole's
 /// walls have no tangent fill.
-Result<Choice> choose_tangent(const std::vector<BoundaryLoop>& loops, Hole& hole,
-                              std::vector<Wish>& wishes, const FillRequest& request,
-                              const Tolerance& tolerance) {
+Result<Choice> choose_tangent(const Site& site, Hole& hole, std::vector<Wish>& wishes,
+                              const FillRequest& request, const Tolerance& tolerance) {
     const bool ours =
         std::any_of(wishes.begin(), wishes.end(), [](const Wish& w) { return w.own; });
     if (!ours || !does_without_tangency(request.method)) {
-        return choose_fill(loops, hole, request, tolerance);
+        return choose_fill(site, hole, request, tolerance);
     }
-    auto tangent = choose_fill(loops, hole, request, tolerance, Effort::Quick);
+    auto tangent = choose_fill(site, hole, request, tolerance, Effort::Quick);
     const bool shaped = is_shaped(tangent);
     const std::vector<bool> sharp = sharp_sides(wishes, tangent);
     if (!tangent && tangent.error().code == ErrorCode::Cancelled) {
@@ -102,7 +101,7 @@ Result<Choice> choose_tangent(const std::vector<BoundaryLoop>& loops, Hole& hole
     const bool automatic = request.method == "auto";
     if (shaped && !any(sharp)) {
         return tangent->near() || !automatic ? tangent
-                                             : choose_fill(loops, hole, request, tolerance);
+                                             : choose_fill(site, hole, request, tolerance);
     }
     double seconds = tangent ? tangent->seconds : 0.0;
     const std::string why = why_not_tangent(tangent);
@@ -114,7 +113,7 @@ Result<Choice> choose_tangent(const std::vector<BoundaryLoop>& loops, Hole& hole
         Hole relaxed = hole;
         std::vector<Wish> fewer = wishes;
         relax(sides, why, relaxed, fewer);
-        auto choice = choose_fill(loops, relaxed, request, tolerance, Effort::Quick);
+        auto choice = choose_fill(site, relaxed, request, tolerance, Effort::Quick);
         seconds += choice ? choice->seconds : 0.0;
         if (choice && choice->near() && !any(sharp_sides(fewer, choice))) {
             choice->seconds = seconds;
@@ -126,22 +125,24 @@ Result<Choice> choose_tangent(const std::vector<BoundaryLoop>& loops, Hole& hole
     if (!automatic) {
         return tangent;
     }
-    auto choice = choose_fill(loops, hole, request, tolerance);
+    auto choice = choose_fill(site, hole, request, tolerance);
     if (choice) {
         choice->seconds += seconds;
+        if (choice->relaxed) {
+            relax(all, why, hole, wishes);
+        }
     }
     return choice;
 }
 
 }  // namespace
 
-Result<Choice> choose_smoothest(const std::vector<BoundaryLoop>& loops, Hole& hole,
-                                std::vector<Wish>& wishes, const FillRequest& request,
-                                const Tolerance& tolerance) {
+Result<Choice> choose_smoothest(const Site& site, Hole& hole, std::vector<Wish>& wishes,
+                                const FillRequest& request, const Tolerance& tolerance) {
     if (std::none_of(wishes.begin(), wishes.end(), [](const Wish& w) { return w.hoped; })) {
-        return choose_tangent(loops, hole, wishes, request, tolerance);
+        return choose_tangent(site, hole, wishes, request, tolerance);
     }
-    auto smooth = choose_fill(loops, hole, request, tolerance, Effort::Quick);
+    auto smooth = choose_fill(site, hole, request, tolerance, Effort::Quick);
     if (!smooth && smooth.error().code == ErrorCode::Cancelled) {
         return smooth;
     }
@@ -159,7 +160,8 @@ Result<Choice> choose_smoothest(const std::vector<BoundaryLoop>& loops, Hole& ho
         }
     });
     if (smooth) {
-        smooth->verdict = judge_fill(asked_of(loops, hole, wishes, tolerance), smooth->measures);
+        smooth->verdict =
+            judge_fill(asked_of(site.loops, hole, wishes, tolerance), smooth->measures);
         if (smooth->verdict.within()) {
             return smooth;
         }
@@ -170,7 +172,7 @@ Result<Choice> choose_smoothest(const std::vector<BoundaryLoop>& loops, Hole& ho
             wishes[i].reason = "auto: with continuous curvature gap or angle are out of tolerance";
         }
     });
-    auto choice = choose_tangent(loops, hole, wishes, request, tolerance);
+    auto choice = choose_tangent(site, hole, wishes, request, tolerance);
     if (choice && smooth) {
         choice->seconds += smooth->seconds;
     }

@@ -11,7 +11,7 @@ namespace suture {
 /// that stand steeply on the opening or came out sharp, or else along all that are left to us.
 ///
 /// Changes  hole, wishes: what was not reached becomes G1 or G0, with the reason.
-[[nodiscard]] Result<Choice> choose_smoothest(const std::vector<BoundaryLoop>& loops, Hole& hole,
+[[nodiscard]] Result<Choice> choose_smoothest(const Site& site, Hole& hole,
                                               std::vector<Wish>& wishes, const FillRequest& request,
                                               const Tolerance& tolerance);
 

@@ -9,36 +9,49 @@
 #include <BRepBuilderAPI_Copy.hxx>
 #include <BRepCheck_Analyzer.hxx>
 #include <BRep_Builder.hxx>
+#include <TopExp_Explorer.hxx>
 #include <TopTools_MapOfShape.hxx>
 #include <TopoDS.hxx>
-#include <TopoDS_Compound.hxx>
-
-#include <algorithm>
-#include <set>
 
 namespace suture {
 namespace {
 
-/// The hole's loops on copies of the neighbours.
+/// The hole's loops on copies of the faces that meet them, be it in a vertex.
 struct CopiedHole {
-    TopoDS_Compound neighbours;
+    TopoDS_Compound around;
     std::vector<BoundaryLoop> loops;
 };
 
-CopiedHole copy_of(const std::vector<BoundaryLoop>& loops) {
-    const BRep_Builder builder;
-    TopoDS_Compound originals;
-    builder.MakeCompound(originals);
-    TopTools_MapOfShape seen;
-    for (const BoundaryLoop& loop : loops) {
+/// The faces of the shape that meet the loops, by whether `meeting` they do.
+std::vector<TopoDS_Face> faces_around(const Site& site, bool meeting) {
+    TopTools_MapOfShape vertices;
+    for (const BoundaryLoop& loop : site.loops) {
         for (const BoundaryEdge& edge : loop.edges) {
-            if (seen.Add(edge.face)) {
-                builder.Add(originals, edge.face);
+            for (TopExp_Explorer it(edge.edge, TopAbs_VERTEX); it.More(); it.Next()) {
+                vertices.Add(it.Current());
             }
         }
     }
+    std::vector<TopoDS_Face> faces = occ::faces_of(site.shape);
+    std::erase_if(faces, [&](const TopoDS_Face& face) {
+        bool meets = false;
+        for (TopExp_Explorer it(face, TopAbs_VERTEX); it.More() && !meets; it.Next()) {
+            meets = vertices.Contains(it.Current());
+        }
+        return meets != meeting;
+    });
+    return faces;
+}
+
+CopiedHole copy_of(const Site& site) {
+    const BRep_Builder builder;
+    TopoDS_Compound originals;
+    builder.MakeCompound(originals);
+    for (const TopoDS_Face& face : faces_around(site, /*meeting=*/true)) {
+        builder.Add(originals, face);
+    }
     BRepBuilderAPI_Copy copy(originals, /*copyGeom=*/Standard_False, /*copyMesh=*/Standard_False);
-    CopiedHole result{TopoDS::Compound(copy.Shape()), loops};
+    CopiedHole result{TopoDS::Compound(copy.Shape()), site.loops};
     for (BoundaryLoop& loop : result.loops) {
         for (BoundaryEdge& edge : loop.edges) {
             edge.face =
@@ -47,45 +60,45 @@ CopiedHole copy_of(const std::vector<BoundaryLoop>& loops) {
                 TopoDS::Edge(copy.ModifiedShape(edge.edge).Oriented(edge.edge.Orientation()));
         }
     }
-    unite_corners(result.neighbours, result.loops);
+    unite_corners(result.around, result.loops);
     return result;
 }
 
-Result<FillMeasures> measure(const CopiedHole& copied, const Hole& hole,
-                             const std::vector<TopoDS_Face>& faces, const Tolerance& tolerance,
-                             const Progress& progress) {
+Result<Trial> measure(const CopiedHole& copied, const Hole& hole,
+                      const std::vector<TopoDS_Face>& faces, const Tolerance& tolerance,
+                      const Progress& progress) {
     const BRep_Builder builder;
-    TopoDS_Compound model = copied.neighbours;
+    Trial trial;
+    trial.model = copied.around;
     for (const TopoDS_Face& face : faces) {
-        builder.Add(model, face);
+        builder.Add(trial.model, face);
     }
-    const occ::Numbering numbering(model);
-    FillPlace place;
-    place.through = hole.through;
+    const occ::Numbering numbering(trial.model);
+    trial.place.through = hole.through;
     for (const BoundaryLoop& loop : copied.loops) {
         for (const BoundaryEdge& edge : loop.edges) {
-            place.sides.push_back(numbering.of(edge.edge));
+            trial.place.sides.push_back(numbering.of(edge.edge));
         }
     }
     for (const TopoDS_Face& face : faces) {
-        place.faces.push_back(numbering.of(face));
+        trial.place.faces.push_back(numbering.of(face));
     }
     Profile profile;
     profile.tolerance = tolerance;
-    auto measures = measure_fills(model, numbering, {place}, profile, progress);
+    auto measures = measure_fills(trial.model, numbering, {trial.place}, profile, progress);
     if (!measures) {
         return tl::unexpected(measures.error());
     }
-    return std::move(measures->front());
+    trial.measures = std::move(measures->front());
+    return trial;
 }
 
 }  // namespace
 
-Result<FillMeasures> try_fill(const std::vector<BoundaryLoop>& loops, const Hole& hole,
-                              const FillResult& fill, const Tolerance& tolerance,
-                              const Progress& progress) {
-    return occ::guarded("trying the new face", [&]() -> Result<FillMeasures> {
-        const CopiedHole copied = copy_of(loops);
+Result<Trial> try_fill(const Site& site, const Hole& hole, const FillResult& fill,
+                       const Tolerance& tolerance, const Progress& progress) {
+    return occ::guarded("trying the new face", [&]() -> Result<Trial> {
+        const CopiedHole copied = copy_of(site);
         const auto made = make_faces(copied.loops, hole, fill);
         if (!made) {
             return tl::unexpected(made.error());
@@ -99,6 +112,17 @@ Result<FillMeasures> try_fill(const std::vector<BoundaryLoop>& loops, const Hole
         }
         return measure(copied, hole, made->faces, tolerance, progress);
     });
+}
+
+Result<void> add_clashes(const Site& site, const Hole& hole, const Tolerance& tolerance,
+                         const Progress& progress, Trial& trial) {
+    const BRep_Builder builder;
+    // Behind the faces that are there: their numbers stay.
+    for (const TopoDS_Face& face : faces_around(site, /*meeting=*/false)) {
+        builder.Add(trial.model, face);
+    }
+    return measure_clashes(trial.model, trial.place, hole.diameter, tolerance, progress,
+                           trial.measures);
 }
 
 }  // namespace suture

@@ -8,17 +8,35 @@
 #include "suture/model/patch.h"
 #include "suture/model/ribbon.h"
 
+#include <TopoDS_Compound.hxx>
+#include <TopoDS_Shape.hxx>
+
 #include <vector>
 
 namespace suture {
 
-/// Builds a fill's faces on copies of the hole's edges and neighbours and measures them with the
-/// continuity check: the model itself stays as it is. The numbers in the result are of these
+/// Where a fill is to go.
+struct Site {
+    const TopoDS_Shape& shape;
+    const std::vector<BoundaryLoop>& loops;  ///< the hole's, in the shape
+};
+
+/// A fill in the model, for trial: its faces stand on copies of the hole's edges and of the faces
+/// around, so that the model itself stays as it is. The numbers in the measures are of these
 /// copies.
-///
+struct Trial {
+    TopoDS_Compound model;
+    FillPlace place;
+    FillMeasures measures;  ///< all but the clashes
+};
+
 /// Refuses  a face that OCCT's BRepCheck does not accept.
-[[nodiscard]] Result<FillMeasures> try_fill(const std::vector<BoundaryLoop>& loops,
-                                            const Hole& hole, const FillResult& fill,
-                                            const Tolerance& tolerance, const Progress& progress);
+[[nodiscard]] Result<Trial> try_fill(const Site& site, const Hole& hole, const FillResult& fill,
+                                     const Tolerance& tolerance, const Progress& progress);
+
+/// Adds the clashes with all other faces of the shape to the measures.
+[[nodiscard]] Result<void> add_clashes(const Site& site, const Hole& hole,
+                                       const Tolerance& tolerance, const Progress& progress,
+                                       Trial& trial);
 
 }  // namespace suture

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 namespace suture {
 namespace {
@@ -116,6 +117,28 @@ double steepness_of(const Vector3d& inward, const Opening& opening) {
     return std::asin(std::min(1.0, std::abs(opening.normal.dot(inward.normalized()))));
 }
 
+/// The smallest and the largest angle between a side's cross tangents and the opening's plane.
+std::pair<double, double> steepness_along(const Ribbon& ribbon, const Opening& opening) {
+    std::pair<double, double> steepness(kPi / 2.0, 0.0);
+    for (int k = 0; k < kSamples; ++k) {
+        const double steep = steepness_of(ribbon.at((k + 0.5) / kSamples).inward, opening);
+        steepness = {std::min(steepness.first, steep), std::max(steepness.second, steep)};
+    }
+    return steepness;
+}
+
+/// Side by side, in the order of the loops.
+template <class Predicate>
+std::vector<bool> sides_where(const Hole& hole, Predicate&& holds) {
+    std::vector<bool> sides;
+    for (const RibbonLoop& loop : hole.loops) {
+        for (const Ribbon& ribbon : loop.ribbons) {
+            sides.push_back(holds(ribbon));
+        }
+    }
+    return sides;
+}
+
 /// The smallest angle between a cross tangent and the opening's plane, of the sides whose
 /// neighbours do not lie in it.
 double least_steepness(const Hole& hole, const Opening& opening) {
@@ -125,10 +148,7 @@ double least_steepness(const Hole& hole, const Opening& opening) {
             if (lies_in_opening(ribbon, opening)) {
                 continue;
             }
-            for (int k = 0; k < kSamples; ++k) {
-                least =
-                    std::min(least, steepness_of(ribbon.at((k + 0.5) / kSamples).inward, opening));
-            }
+            least = std::min(least, steepness_along(ribbon, opening).first);
         }
     }
     return least;
@@ -268,18 +288,17 @@ std::vector<Wish> wishes_for(const Hole& hole, const FillRequest& request) {
 
 std::vector<bool> steep_sides(const Hole& hole) {
     const Opening opening = opening_of(hole);
-    std::vector<bool> steep;
-    for (const RibbonLoop& loop : hole.loops) {
-        for (const Ribbon& ribbon : loop.ribbons) {
-            bool somewhere = false;
-            for (int k = 0; k < kSamples; ++k) {
-                const Vector3d inward = ribbon.at((k + 0.5) / kSamples).inward;
-                somewhere = somewhere || steepness_of(inward, opening) > kSteep;
-            }
-            steep.push_back(somewhere);
-        }
-    }
-    return steep;
+    return sides_where(hole, [&](const Ribbon& ribbon) {
+        return steepness_along(ribbon, opening).second > kSteep;
+    });
+}
+
+std::vector<bool> walls_of(const Hole& hole) {
+    const Opening opening = opening_of(hole);
+    const bool shallow = opening.height <= kShallow * hole.diameter;
+    return sides_where(hole, [&](const Ribbon& ribbon) {
+        return shallow && steepness_along(ribbon, opening).first > kSteep;
+    });
 }
 
 }  // namespace suture

@@ -30,7 +30,11 @@ struct Wish {
 [[nodiscard]] std::vector<Wish> wishes_for(const Hole& hole, const FillRequest& request);
 
 /// Which sides' neighbours stand on the best plane through the border at more than 45 degrees
-/// somewhere, side by side in the order of the loops: walls that a fill can hardly be tangent to.
+/// somewhere, side by side in the order of the loops: a fill can hardly be tangent to them.
 [[nodiscard]] std::vector<bool> steep_sides(const Hole& hole);
+
+/// Which sides' neighbours do so all along, and on an opening that is nearly planar: walls, to
+/// which nobody draws a tangent lid.
+[[nodiscard]] std::vector<bool> walls_of(const Hole& hole);
 
 }  // namespace suture

@@ -93,7 +93,8 @@ void take(Choice choice, const FillRequest& request, ComputedFill& computed) {
     computed.fill = std::move(choice.fill);
 }
 
-ComputedFill compute_fill(const HolePlan& plan, const FillRequest& request) {
+ComputedFill compute_fill(const TopoDS_Shape& shape, const HolePlan& plan,
+                          const FillRequest& request) {
     const auto start = Clock::now();
     ComputedFill computed;
     computed.loops = plan.loops;
@@ -105,7 +106,8 @@ ComputedFill compute_fill(const HolePlan& plan, const FillRequest& request) {
     computed.hole = *plan.hole;
     computed.report.through = computed.hole.through;
     std::vector<Wish> wishes = plan.wishes;
-    auto choice = choose_smoothest(plan.loops, computed.hole, wishes, request, request.tolerance);
+    auto choice =
+        choose_smoothest({shape, plan.loops}, computed.hole, wishes, request, request.tolerance);
     computed.seconds_choose = seconds_since(start);
     report_wishes(computed.hole, wishes, computed.report);
     computed.report.asked = asked_of(plan.loops, computed.hole, wishes, request.tolerance);
@@ -121,7 +123,8 @@ ComputedFill compute_fill(const HolePlan& plan, const FillRequest& request) {
 
 }  // namespace
 
-Result<std::vector<ComputedFill>> compute_fills(const FillPlan& plan, const FillRequest& request) {
+Result<std::vector<ComputedFill>> compute_fills(const TopoDS_Shape& shape, const FillPlan& plan,
+                                                const FillRequest& request) {
     std::vector<ComputedFill> computed(plan.holes.size());
     std::mutex reporting;
     std::size_t done = 0;
@@ -132,7 +135,7 @@ Result<std::vector<ComputedFill>> compute_fills(const FillPlan& plan, const Fill
         if (request.progress.cancelled()) {
             return;
         }
-        computed[i] = compute_fill(plan.holes[i], one);
+        computed[i] = compute_fill(shape, plan.holes[i], one);
         const std::lock_guard lock(reporting);
         ++done;
         request.progress(static_cast<double>(done) / static_cast<double>(plan.holes.size()),

@@ -24,7 +24,8 @@ struct ComputedFill {
 ///
 /// Refuses  only a cancelled run. A hole without a fill is refused in its own report, and so is one
 ///          whose best fill is bad, unless the request says to keep it.
-[[nodiscard]] Result<std::vector<ComputedFill>> compute_fills(const FillPlan& plan,
+[[nodiscard]] Result<std::vector<ComputedFill>> compute_fills(const TopoDS_Shape& shape,
+                                                              const FillPlan& plan,
                                                               const FillRequest& request);
 
 }  // namespace suture

@@ -27,7 +27,7 @@ constexpr std::array<KindRow, 15> kKinds{{
     {"crease", "crease inside the new face of", Unit::Angle},
     {"fold", "the new face folds", Unit::None},
     {"clash", "the new face cuts another one, to a depth of", Unit::Length},
-    {"lies_back", "the new face lies on the back of its neighbour, at", Unit::Angle},
+    {"lies_on_face", "the new face lies on another one, with a share of", Unit::Share},
     {"balloon", "area over that of a surface stretched across the hole:", Unit::Ratio},
     {"tolerance_grown", "the edge's tolerance grew to", Unit::Length},
     {"tangency_given_up", "tangency given up, angle", Unit::Angle},

@@ -26,7 +26,7 @@ enum class FindingKind {
     Crease,           ///< radians, across a knot line inside a new face
     Fold,             ///< 1: the face turns over
     Clash,            ///< model units: how deep it reaches through another face
-    LiesBack,         ///< radians: lies on the back of its neighbour
+    LiesOnFace,       ///< part of the new face's area that lies on another face
     Balloon,          ///< area over that of a coarse spanning surface
     ToleranceGrown,   ///< model units, of an edge; the limit is what the measured gap accounts for
     TangencyGivenUp,  ///< radians, along a side on which tangency was wanted first

@@ -14,9 +14,8 @@ constexpr double kNear = 10.0;
 /// A gap above this part of the hole's diameter closes nothing.
 constexpr double kBadGap = 1e-3;
 
-/// From this angle on a face lies back on its neighbour. A knife edge of a tenth of a degree is
-/// not a design that anyone asks for.
-constexpr double kLiesBack = radians(179.9);
+/// A new face of which more than this part lies on another one closes nothing.
+constexpr double kLiesOn = 0.5;
 
 /// A side may be so much sharper than its corners before they no longer explain it: the search for
 /// the maximum is good to a few per cent, and half way along a short side both corners act.
@@ -41,7 +40,6 @@ class Judge {
         if (side.continuity >= Continuity::G1) {
             angle(edge, &side);
         } else {
-            lies_back(edge, side.edge);
             given_up(side, edge);
         }
         if (side.continuity >= Continuity::G2) {
@@ -77,6 +75,36 @@ class Judge {
         if (wanted >= Continuity::G2) {
             add(told(FindingKind::Curvature, line.curvature_mismatch, asked_.tolerance.curvature),
                 of(line.curvature_mismatch, asked_.tolerance.curvature));
+        }
+    }
+
+    void shape(const FillMeasures& measures) {
+        for (const FaceFold& fold : measures.folds) {
+            if (fold.verdict == FoldVerdict::Fold || fold.backwards) {
+                Finding finding = make(FindingKind::Fold, 1.0, 0.0);
+                finding.face = fold.face;
+                finding.at = fold.at;
+                finding.detail = fold.backwards ? "its surface runs against its border"
+                                                : fmt::format(
+                                                      "two of its normals are {:.0f} deg "
+                                                      "apart there",
+                                                      degrees(fold.angle));
+                add(std::move(finding), Severity::Bad);
+            }
+        }
+        for (const Clash& clash : measures.clashes) {
+            Finding finding = make(FindingKind::Clash, clash.depth, asked_.tolerance.linear);
+            finding.face = clash.face;
+            finding.other_face = clash.other;
+            finding.at = clash.at;
+            add(std::move(finding), Severity::Bad);
+        }
+        for (const Overlay& overlay : measures.overlays) {
+            Finding finding = make(FindingKind::LiesOnFace, overlay.share, kLiesOn);
+            finding.face = overlay.face;
+            finding.other_face = overlay.other;
+            finding.at = overlay.at;
+            add(std::move(finding), overlay.share > kLiesOn ? Severity::Bad : Severity::Good);
         }
     }
 
@@ -227,15 +255,6 @@ class Judge {
         add(std::move(finding), of(edge.curvature_mismatch, asked_.tolerance.curvature));
     }
 
-    void lies_back(const EdgeContinuity& edge, int number) {
-        if (edge.min_angle > kLiesBack) {
-            Finding finding = make(FindingKind::LiesBack, edge.max_angle, kLiesBack);
-            finding.edge = number;
-            finding.at = edge.angle_at;
-            add(std::move(finding), Severity::Bad);
-        }
-    }
-
     void given_up(const AskedSide& side, const EdgeContinuity& edge) {
         if (side.given_up && !side.wall) {
             Finding finding =
@@ -280,6 +299,7 @@ Verdict judge_fill(const AskedFill& asked, const FillMeasures& measures) {
     for (const KnotLine& line : measures.creases) {
         judge.crease(line, smoothest);
     }
+    judge.shape(measures);
     judge.topology(measures);
     judge.through(measures);
     judge.tolerances(measures);

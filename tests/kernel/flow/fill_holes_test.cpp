@@ -9,6 +9,7 @@
 #include "suture/ribbon/extract.h"
 
 #include <gtest/gtest.h>
+#include <tbb/global_control.h>
 
 #include <BRepAdaptor_Surface.hxx>
 #include <BRepAlgoAPI_Common.hxx>
@@ -18,7 +19,9 @@
 #include <BRepFilletAPI_MakeFillet.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
+#include <BRepTools.hxx>
 #include <BRepTools_ReShape.hxx>
+#include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
 #include <GeomConvert.hxx>
 #include <Geom_BSplineSurface.hxx>
@@ -30,6 +33,8 @@
 #include <TopTools_MapOfShape.hxx>
 
 #include <cmath>
+#include <sstream>
+#include <stop_token>
 
 namespace suture {
 namespace {
@@ -427,7 +432,8 @@ TEST(ChooseSmoothest, GivesUpTangencyWhereWallsLeaveNone) {
         std::vector<Wish> wishes(4, {Continuity::G1, "tangent", /*hoped=*/false, own});
         FillRequest request;
         request.method = "mvs";
-        const auto choice = choose_smoothest(*loops, *hole, wishes, request, request.tolerance);
+        const auto choice =
+            choose_smoothest({open, *loops}, *hole, wishes, request, request.tolerance);
         if (own) {
             ASSERT_TRUE(choice) << choice.error().message;
             EXPECT_TRUE(choice->near());
@@ -461,33 +467,104 @@ TEST(FillHoles, GivesOcctsFillingAsItIs) {
 }
 
 /// `occt` on a window that takes this much of the tube's turn.
-HoleReport fill_window_by_occt(double turn, FillOutcome& outcome) {
+HoleReport fill_window_by_occt(double turn, bool keep_bad, FillOutcome& outcome) {
     const Handle<Geom_Surface> tube = occ::make<Geom_ToroidalSurface>(gp_Ax3(), 5.0, 1.5);
     const TopoDS_Shape open = grids::shell_of(tube, {0.0, 0.9, 2.0, 3.5, 5.0, 2.0 * kPi},
                                               {0.0, turn, 5.4, 2.0 * kPi}, {{1, 0}});
     FillRequest request;
     request.method = "occt";
+    request.keep_bad = keep_bad;
     outcome = fill(open, request).value();
     return outcome.holes.front();
 }
 
 TEST(FillHoles, TriesOcctAgainWhereItsSurfaceFolds) {
     FillOutcome outcome;
-    const HoleReport hole = fill_window_by_occt(3.5, outcome);
+    const HoleReport hole = fill_window_by_occt(3.5, /*keep_bad=*/true, outcome);
     ASSERT_EQ(hole.status, FillStatus::Filled) << hole.reason;
     expect_closed_solid(outcome);
-    EXPECT_FALSE(hole.verdict.within());
+    EXPECT_EQ(hole.verdict.severity, Severity::Bad);
     EXPECT_NE(hole.reason.find("occt: "), std::string::npos) << hole.reason;
     EXPECT_NE(hole.reason.find("occt (position only): "), std::string::npos) << hole.reason;
 }
 
-TEST(FillHoles, RefusesOcctsSurfaceFarOffWithItsGap) {
+std::string bytes_of(const TopoDS_Shape& shape) {
+    std::ostringstream bytes;
+    BRepTools::Write(shape, bytes);
+    return bytes.str();
+}
+
+TEST(FillHoles, LeavesAHoleOpenWhoseBestFillIsBad) {
     FillOutcome outcome;
-    const HoleReport hole = fill_window_by_occt(4.6, outcome);
+    const HoleReport hole = fill_window_by_occt(4.6, /*keep_bad=*/false, outcome);
     EXPECT_EQ(hole.status, FillStatus::Refused);
-    EXPECT_NE(hole.reason.find("(gap "), std::string::npos) << hole.reason;
-    EXPECT_NE(hole.reason.find("not taken"), std::string::npos) << hole.reason;
-    EXPECT_NE(hole.reason.find("occt (position only): "), std::string::npos) << hole.reason;
+    EXPECT_TRUE(hole.tried);
+    EXPECT_EQ(hole.verdict.severity, Severity::Bad);
+    EXPECT_GT(hole.max_angle, radians(5.0));
+    EXPECT_NE(hole.reason.find("--keep-bad"), std::string::npos) << hole.reason;
+    EXPECT_TRUE(outcome.new_faces.empty());
+}
+
+/// A box of 20 without its lid, and in it a post that stands out of it.
+TopoDS_Shape box_with_a_post() {
+    const BRep_Builder builder;
+    TopoDS_Compound model;
+    builder.MakeCompound(model);
+    builder.Add(model, grids::without_faces(BRepPrimAPI_MakeBox(20.0, 20.0, 10.0).Shape(), {5}));
+    builder.Add(model,
+                BRepPrimAPI_MakeBox(gp_Pnt(8.0, 7.0, 2.0), gp_Pnt(12.0, 14.0, 15.0)).Shape());
+    return model;
+}
+
+TEST(FillHoles, PutsNoLidThroughAPost) {
+    const TopoDS_Shape model = box_with_a_post();
+    FillRequest request;
+    request.method = "plane";
+    const std::string before = bytes_of(model);
+    const auto outcome = fill(model, request);
+    ASSERT_TRUE(outcome) << outcome.error().message;
+    const HoleReport& hole = outcome->holes.front();
+    EXPECT_EQ(hole.status, FillStatus::Refused);
+    ASSERT_FALSE(hole.verdict.findings.empty());
+    EXPECT_EQ(hole.verdict.findings.front().kind, FindingKind::Clash);
+    EXPECT_EQ(bytes_of(model), before);
+    request.keep_bad = true;
+    EXPECT_EQ(fill(model, request).value().holes.front().status, FillStatus::Filled);
+}
+
+TEST(FillHoles, LeavesNoTraceOfACancelledRun) {
+    const Body body = bodies().front();
+    const TopoDS_Shape open = grids::shell_of(body.surface, body.us, body.vs, {{0, 0}, {2, 1}});
+    const std::string before = bytes_of(open);
+    std::stop_source source;
+    FillRequest request;
+    request.method = "mvs";
+    request.progress.cancel = source.get_token();
+    // Stops as soon as the first hole is computed.
+    request.progress.report = [&](double fraction, std::string_view /*stage*/) {
+        if (fraction > 0.0) {
+            source.request_stop();
+        }
+    };
+    const auto outcome = fill(open, request);
+    ASSERT_FALSE(outcome);
+    EXPECT_EQ(outcome.error().code, ErrorCode::Cancelled);
+    EXPECT_EQ(bytes_of(open), before);
+}
+
+TEST(FillHoles, GivesTheSameBytesOnAnyNumberOfThreads) {
+    const Body body = bodies().front();
+    std::vector<std::string> results;
+    for (const std::size_t threads : {1U, 2U, 5U}) {
+        const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+        FillRequest request;
+        request.method = "mvs";
+        const TopoDS_Shape open =
+            grids::shell_of(body.surface, body.us, body.vs, {{0, 0}, {2, 1}, {1, 2}});
+        results.push_back(bytes_of(fill(open, request).value().shape));
+    }
+    EXPECT_EQ(results[0], results[1]);
+    EXPECT_EQ(results[0], results[2]);
 }
 
 }  // namespace
