@@ -15,7 +15,7 @@ namespace suture::cli {
 
 /// The version of the JSON documents: it grows when a key changes its meaning or goes away, not
 /// when one is added. docs/json.md describes every key.
-inline constexpr int kSchema = 2;
+inline constexpr int kSchema = 3;
 
 /// What every document begins with.
 [[nodiscard]] Json document_head(const Command& command);

@@ -126,12 +126,12 @@ struct Rank {
     auto operator<=>(const Rank&) const = default;
 };
 
-Rank rank_of(const Verdict& verdict) {
+Rank rank_of(const Judgement& verdict) {
     return {verdict.severity == Severity::Bad, verdict.score};
 }
 
 /// One sentence on a candidate: "occt: 1.5 times the tolerance".
-std::string sentence(const std::string& name, const Verdict& verdict) {
+std::string sentence(const std::string& name, const Judgement& verdict) {
     if (verdict.within()) {
         return fmt::format("{}: within tolerance", name);
     }
@@ -202,7 +202,7 @@ Result<Choice> choose_fill(const Site& site, const Hole& hole, const FillRequest
             continue;
         }
         const AskedFill& wanted = attempt.last_resort ? less : asked;
-        Verdict verdict = judge_fill(wanted, trial->measures);
+        Judgement verdict = judge_fill(wanted, trial->measures);
         // Clashes take longest: they are looked for where all else is good enough to be taken.
         if (verdict.severity != Severity::Bad &&
             (!best || rank_of(verdict) < rank_of(best->verdict))) {

@@ -19,7 +19,7 @@ struct Choice {
     std::string method;
     FillResult fill;
     FillMeasures measures;
-    Verdict verdict;
+    Judgement verdict;
     std::string reason;
     double seconds = 0.0;  ///< in the fill methods, all that were tried
     bool relaxed = false;  ///< position only, along all sides that nobody asked to be smooth

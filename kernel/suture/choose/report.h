@@ -55,7 +55,7 @@ struct HoleReport {
     std::string reason;  ///< why this method, or why refused or skipped
     bool tried = false;  ///< the figures are those of a fill: of the best try where it was refused
     AskedFill asked;     ///< what the figures are held against
-    Verdict verdict;     ///< what they are worth
+    Judgement verdict;   ///< what they are worth
 };
 
 /// Sets the figures of a hole, and what they are worth. Used for what was tried, and for what was

@@ -158,7 +158,7 @@ class Judge {
         }
     }
 
-    [[nodiscard]] Verdict take() && { return std::move(verdict_); }
+    [[nodiscard]] Judgement take() && { return std::move(verdict_); }
 
   private:
     static double gap_along(const EdgeContinuity& edge) {
@@ -266,7 +266,7 @@ class Judge {
     }
 
     const AskedFill& asked_;
-    Verdict verdict_;
+    Judgement verdict_;
 };
 
 Continuity highest(const AskedFill& asked) {
@@ -287,7 +287,7 @@ Continuity reached(const EdgeContinuity& edge, const Tolerance& tolerance) {
 
 }  // namespace
 
-Verdict judge_fill(const AskedFill& asked, const FillMeasures& measures) {
+Judgement judge_fill(const AskedFill& asked, const FillMeasures& measures) {
     Judge judge(asked);
     const Continuity smoothest = highest(asked);
     for (std::size_t i = 0; i < asked.sides.size(); ++i) {
@@ -306,7 +306,7 @@ Verdict judge_fill(const AskedFill& asked, const FillMeasures& measures) {
     return std::move(judge).take();
 }
 
-void add_finding(Finding finding, Verdict& verdict) {
+void add_finding(Finding finding, Judgement& verdict) {
     if (!finding.before) {
         verdict.score = std::max(verdict.score, excess(finding));
         verdict.severity = std::max(verdict.severity, finding.severity);

@@ -31,7 +31,7 @@ struct AskedFill {
 };
 
 /// What a fill is worth.
-struct Verdict {
+struct Judgement {
     Severity severity = Severity::Good;
     std::vector<Finding> findings;  ///< the worst first; empty: nothing to say
     /// The largest measure over its limit, of all that counts: at most 1 is within tolerance.
@@ -48,10 +48,10 @@ struct Verdict {
 /// that folds, clashes, lies on the back of its neighbour or is a balloon.
 /// Where the neighbours miss each other at a corner themselves, by at most kOwnNoise in angle, no
 /// more than that is asked of the two sides there; the finding is marked `before`.
-[[nodiscard]] Verdict judge_fill(const AskedFill& asked, const FillMeasures& measures);
+[[nodiscard]] Judgement judge_fill(const AskedFill& asked, const FillMeasures& measures);
 
 /// Adds what was found elsewhere: by writing and reading back.
-void add_finding(Finding finding, Verdict& verdict);
+void add_finding(Finding finding, Judgement& verdict);
 
 /// How smooth a fill is all around, within the tolerance.
 [[nodiscard]] Continuity reached_by(const AskedFill& asked, const FillMeasures& measures);

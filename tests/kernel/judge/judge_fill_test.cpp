@@ -23,9 +23,9 @@ struct Fill {
             measures.edges.push_back({edge.edge, 1e-7, Eigen::Vector3d::Zero()});
         }
     }
-    [[nodiscard]] Verdict verdict() const { return judge_fill(asked, measures); }
+    [[nodiscard]] Judgement verdict() const { return judge_fill(asked, measures); }
     [[nodiscard]] Finding only() const {
-        const Verdict result = verdict();
+        const Judgement result = verdict();
         EXPECT_EQ(result.findings.size(), 1U);
         return result.findings.empty() ? Finding() : result.findings.front();
     }
@@ -186,7 +186,7 @@ TEST(JudgeFill, PutsTheWorstFirst) {
     fill.measures.sides[0].max_gap = 0.002;
     fill.measures.sides[1].max_angle = radians(0.05);
     fill.measures.sides[2].max_angle = radians(0.2);
-    const Verdict verdict = fill.verdict();
+    const Judgement verdict = fill.verdict();
     ASSERT_EQ(verdict.findings.size(), 3U);
     EXPECT_EQ(verdict.findings[0].edge, 12);
     EXPECT_EQ(verdict.findings[1].edge, 11);

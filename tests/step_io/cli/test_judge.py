@@ -1,0 +1,149 @@
+"""What `fill` calls good, near, poor and bad, and that its report and `check` agree."""
+
+import json
+import os
+import unittest
+from pathlib import Path
+
+import jsonschema
+
+from program import CAD, DONE, EXAMPLES, OUT_OF_TOLERANCE, Case, example, run
+
+SCHEMA = json.loads(
+    (Path(os.environ["SUTURE_SOURCE_DIR"]) / "docs/schema/fill.schema.json").read_text()
+)
+CASES = CAD.parent / "cases"
+METHODS = ("auto", "mvs", "tube", "concentric", "manifold", "algebraic", "occt")
+
+
+class Judged(Case):
+    def fill(self, file, *words, timeout=240):
+        self.output = self.folder / "out.step"
+        finished = run("fill", file, "-o", self.output, "--json", *words, timeout=timeout)
+        self.assertIn(finished.code, (DONE, OUT_OF_TOLERANCE), str(finished))
+        document = finished.json
+        jsonschema.validate(document, SCHEMA)
+        self.assertEqual(document["exit_code"], finished.code)
+        return document
+
+    def case(self, name):
+        file = CASES / name
+        if not file.exists():
+            self.skipTest(f"needs {file}")
+        return file
+
+    def hole(self, document, index=0):
+        return document["holes"][index]
+
+    def kinds(self, hole):
+        return {finding["kind"] for finding in hole["findings"] if not finding["before"]}
+
+
+class Severity(Judged):
+    def test_a_good_fill_has_no_finding(self):
+        document = self.fill(example("suitcase_corner"))
+        self.assertEqual((document["severity"], document["exit_code"]), ("good", DONE))
+        self.assertEqual(document["findings"], [])
+
+    def test_the_verdict_names_the_worst_figure_with_place_and_limit(self):
+        document = self.fill(example("bump_window"), "--method", "occt", "--angle", "1e-6")
+        worst = document["findings"][0]
+        self.assertEqual(document["severity"], worst["severity"])
+        self.assertIn(worst["text"], document["verdict"])
+        self.assertIn(f"allowed {worst['limit']:.4g} deg", worst["text"])
+
+    def test_a_bad_fill_stays_out_and_is_told(self):
+        document = self.fill(self.case("trust/post_inside.brep"))
+        hole = self.hole(document)
+        self.assertEqual(document["exit_code"], OUT_OF_TOLERANCE)
+        self.assertEqual((hole["status"], hole["severity"]), ("refused", "bad"))
+        self.assertEqual(self.kinds(hole), {"clash"})
+        self.assertFalse(document["closed"])
+        kept = self.fill(self.case("trust/post_inside.brep"), "--method", "plane", "--keep-bad")
+        self.assertEqual(self.hole(kept)["status"], "filled")
+        self.assertEqual(kept["exit_code"], OUT_OF_TOLERANCE)
+
+    def test_given_up_tangency_is_no_good_fill(self):
+        document = self.fill(self.case("trust/strips_twist.step"), "--method", "mvs")
+        for hole in document["holes"]:
+            for side in hole["edges"]:
+                if side["max_angle_deg"] > 0.01:
+                    self.assertNotEqual(hole["severity"], "good")
+
+    def test_the_tolerance_has_one_meaning(self):
+        document = self.fill(self.case("trust/corner_5000_tol.brep"))
+        hole = self.hole(document)
+        self.assertEqual(hole["within_tolerance"], hole["max_gap"] <= 1e-3)
+        self.assertEqual(document["exit_code"] == DONE, hole["within_tolerance"])
+
+    def test_no_tolerance_grows_beyond_the_gap(self):
+        document = self.fill(self.case("trust/loose_tol.brep"), "--method", "mvs")
+        self.assertNotIn("tolerance_grown", self.kinds(self.hole(document)))
+
+    def test_a_far_off_fill_stays_out(self):
+        file = CAD / "reopened" / "R13_bspl4s_nacelle.open.step"
+        if not file.exists():
+            self.skipTest(f"needs {file}")
+        document = self.fill(file)
+        for hole in document["holes"]:
+            if hole["status"] == "filled":
+                self.assertNotEqual(hole["severity"], "bad")
+            elif hole["severity"]:
+                self.assertEqual(hole["severity"], "bad")
+        self.assertFalse(document["closed"])
+
+    def test_a_crease_inside_the_new_face_counts(self):
+        file = CAD / "reopened" / "10_freeform_circle1.open.step"
+        if not file.exists():
+            self.skipTest(f"needs {file}")
+        document = self.fill(file, "--method", "concentric")
+        knots = run("check", self.output, "--json").json["face_knots"]
+        new = [patch["face"] for patch in self.hole(document)["patches"]]
+        creased = [k for k in knots if k["face"] in new and k["max_angle_deg"] > 0.01]
+        if self.hole(document)["status"] == "filled" and creased:
+            self.assertEqual(document["exit_code"], OUT_OF_TOLERANCE)
+            self.assertIn("crease", self.kinds(self.hole(document)))
+
+
+class Agreement(Judged):
+    """`check` on the written file and `fill`'s own report have the same figures."""
+
+    def agree(self, file, method):
+        document = self.fill(file, "--method", method)
+        filled = [hole for hole in document["holes"] if hole["status"] == "filled"]
+        if not filled:
+            return 0
+        check = run("check", self.output, "--json", timeout=240).json
+        for hole in filled:
+            faces = {patch["face"] for patch in hole["patches"]}
+            around = [edge for edge in check["edges"] if faces & set(edge["faces"])]
+            for key in ("max_gap", "max_angle_deg"):
+                said = sorted(side[key] for side in hole["edges"])
+                found = sorted(edge[key] for edge in around)
+                # Every side is among the edges of the new faces, to the last digits that the
+                # file has.
+                for value in said:
+                    self.assertTrue(
+                        any(abs(value - other) <= 1e-9 + 1e-6 * abs(value) for other in found),
+                        f"{file.name} {method}: {key} {value} is not in {found}",
+                    )
+            self.assertAlmostEqual(hole["max_gap"], max(e["max_gap"] for e in around), delta=1e-9)
+        return len(filled)
+
+    def test_the_examples_by_every_method(self):
+        filled = sum(
+            self.agree(file, method)
+            for file in sorted(EXAMPLES.glob("*.step"))
+            for method in METHODS
+        )
+        self.assertGreater(filled, 12)
+
+    def test_reopened_models_by_auto(self):
+        files = sorted((CAD / "reopened").glob("*.open.step"))[::4]
+        if not files:
+            self.skipTest("needs cad/reopened")
+        self.assertGreater(sum(self.agree(file, "auto") for file in files), len(files) // 2)
+
+
+if __name__ == "__main__":
+    unittest.main()
