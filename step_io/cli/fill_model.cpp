@@ -72,14 +72,18 @@ void report_skipped(const PartLoops& part, const FillRequest& request,
     }
 }
 
-/// Ids count through the part until now.
-void number_in_model(HoleReport& hole, int ids_before) {
+/// Ids and places are those of the part until now.
+void place_in_model(HoleReport& hole, const PartLoops& part) {
     for (int& id : hole.ids) {
-        id += ids_before;
+        id += part.ids_before;
     }
-    hole.asked.hole += ids_before;
+    hole.asked.hole += part.ids_before;
     for (Finding& finding : hole.verdict.findings) {
-        finding.hole += ids_before;
+        finding.hole += part.ids_before;
+        if (!finding.at.isZero()) {
+            finding.at = occ::from_occ(
+                occ::to_point(finding.at).Transformed(part.placement.Transformation()));
+        }
     }
 }
 
@@ -193,7 +197,7 @@ class FillJob {
                 return tl::unexpected(outcome.error());
             }
             for (HoleReport& hole : outcome->holes) {
-                number_in_model(hole, part.ids_before);
+                place_in_model(hole, part);
             }
             summary_.seconds.fill += outcome->seconds_fill;
             summary_.seconds.choose += outcome->seconds_choose;

@@ -57,6 +57,22 @@ class HoleFinder {
     ShapeFinder edges_;
 };
 
+/// What is read again may be the new faces and their neighbours alone: the clashes are those that
+/// were found in memory, with all of the part around.
+void add_clashes(const TopLoc_Location& placement, const HoleReport& hole, FillMeasures& measures) {
+    const auto moved = [&](const Eigen::Vector3d& point) {
+        return occ::from_occ(occ::to_point(point).Transformed(placement.Transformation()));
+    };
+    measures.clashes = hole.clashes;
+    measures.overlays = hole.overlays;
+    for (Clash& clash : measures.clashes) {
+        clash.at = moved(clash.at);
+    }
+    for (Overlay& overlay : measures.overlays) {
+        overlay.at = moved(overlay.at);
+    }
+}
+
 /// Calls action(part, hole, its new faces).
 template <class Action>
 void for_each_filled(std::vector<FilledPart>& parts, Action&& action) {
@@ -78,21 +94,22 @@ Result<void> remeasure(const TopoDS_Shape& shape, std::vector<FilledPart>& parts
                        const Tolerance& tolerance, const Progress& progress) {
     const occ::Numbering measured(shape);
     HoleFinder finder(measured);
-    std::vector<HoleReport*> holes;
     std::vector<FillPlace> places;
     for_each_filled(parts, [&](const FilledPart& part, HoleReport& hole, const auto& new_faces) {
-        holes.push_back(&hole);
         places.push_back(finder.find(part, hole, new_faces));
     });
     Profile profile;
     profile.tolerance = tolerance;
-    const auto measures = measure_fills(shape, measured, places, profile, progress);
+    auto measures = measure_fills(shape, measured, places, profile, progress);
     if (!measures) {
         return tl::unexpected(measures.error());
     }
-    for (std::size_t i = 0; i < holes.size(); ++i) {
-        set_figures((*measures)[i], *holes[i]);
-    }
+    std::size_t next = 0;
+    for_each_filled(parts, [&](const FilledPart& part, HoleReport& hole, const auto& /*faces*/) {
+        FillMeasures& figures = (*measures)[next++];
+        add_clashes(part.before->placement, hole, figures);
+        set_figures(figures, hole);
+    });
     return {};
 }
 

@@ -123,13 +123,19 @@ Result<std::vector<KnotLine>> creases_of(const std::vector<FillPlace>& places,
     return lines;
 }
 
-void measure_through(const FillPlace& place, const occ::Numbering& numbering,
-                     FillMeasures& measures) {
+/// What is measured of the new faces as a whole.
+Result<void> measure_faces(const FillPlace& place, const occ::Numbering& numbering,
+                           FillMeasures& measures) {
     std::vector<TopoDS_Face> faces;
-    for (const int face : place.faces) {
-        if (face > 0) {
-            faces.push_back(TopoDS::Face(numbering.faces(face)));
+    for (const int face : found_faces(place)) {
+        faces.push_back(TopoDS::Face(numbering.faces(face)));
+    }
+    if (!faces.empty()) {
+        auto area = measure_area_ratio(faces);
+        if (!area) {
+            return tl::unexpected(area.error());
         }
+        measures.area = *area;
     }
     for (const Eigen::Vector3d& point : place.through) {
         const double distance = measure_distance(point, faces);
@@ -138,6 +144,7 @@ void measure_through(const FillPlace& place, const occ::Numbering& numbering,
             measures.through_at = point;
         }
     }
+    return {};
 }
 
 }  // namespace
@@ -181,7 +188,9 @@ Result<std::vector<FillMeasures>> measure_fills(const TopoDS_Shape& shape,
                     measures.creases.push_back(line);
                 }
             }
-            measure_through(places[i], numbering, measures);
+            if (auto done = measure_faces(places[i], numbering, measures); !done) {
+                return tl::unexpected(done.error());
+            }
             result.push_back(std::move(measures));
         }
         return result;

@@ -3,6 +3,7 @@
 #include "suture/base/progress.h"
 #include "suture/base/result.h"
 #include "suture/base/tolerance.h"
+#include "suture/check/area_ratio.h"
 #include "suture/check/clashes.h"
 #include "suture/check/continuity.h"
 #include "suture/check/face_knots.h"
@@ -37,6 +38,7 @@ struct FillMeasures {
     std::vector<EdgeContinuity> inner;  ///< edges of new faces that are no sides
     std::vector<KnotLine> creases;      ///< knot lines of the new faces
     std::vector<FaceFold> folds;        ///< one for each new face that was found
+    AreaRatio area;                     ///< of the new faces that were found
     std::vector<Clash> clashes;         ///< by measure_clashes alone, as the next
     std::vector<Overlay> overlays;
     std::vector<EdgeFacts> edges;          ///< all edges of the new faces

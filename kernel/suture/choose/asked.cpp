@@ -48,4 +48,10 @@ AskedFill asked_of(const std::vector<BoundaryLoop>& loops, const Hole& hole,
     return asked;
 }
 
+bool has_closed_form(const FillResult& fill) {
+    return std::none_of(fill.patches.begin(), fill.patches.end(), [](const Patch& patch) {
+        return std::holds_alternative<SplineSurface>(patch.surface);
+    });
+}
+
 }  // namespace suture

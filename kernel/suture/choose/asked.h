@@ -3,6 +3,7 @@
 #include "suture/choose/wishes.h"
 #include "suture/detect/boundary_loop.h"
 #include "suture/judge/judge_fill.h"
+#include "suture/model/patch.h"
 #include "suture/model/ribbon.h"
 
 #include <vector>
@@ -15,5 +16,8 @@ namespace suture {
 /// Input    wishes: which sides have given tangency up; may be empty.
 [[nodiscard]] AskedFill asked_of(const std::vector<BoundaryLoop>& loops, const Hole& hole,
                                  const std::vector<Wish>& wishes, const Tolerance& tolerance);
+
+/// Whether all surfaces of a fill have a closed form.
+[[nodiscard]] bool has_closed_form(const FillResult& fill);
 
 }  // namespace suture

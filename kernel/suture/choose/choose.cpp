@@ -201,7 +201,8 @@ Result<Choice> choose_fill(const Site& site, const Hole& hole, const FillRequest
             verdicts.push_back(attempt.name + ": " + trial.error().message);
             continue;
         }
-        const AskedFill& wanted = attempt.last_resort ? less : asked;
+        AskedFill wanted = attempt.last_resort ? less : asked;
+        wanted.closed_form = has_closed_form(*fill);
         Judgement verdict = judge_fill(wanted, trial->measures);
         // Clashes take longest: they are looked for where all else is good enough to be taken.
         if (verdict.severity != Severity::Bad &&

@@ -65,6 +65,12 @@ void forget_numbers_of_copies(HoleReport& report) {
     for (Finding& finding : report.verdict.findings) {
         finding.face = finding.other_face = 0;
     }
+    for (Clash& clash : report.clashes) {
+        clash.face = clash.other = 0;
+    }
+    for (Overlay& overlay : report.overlays) {
+        overlay.face = overlay.other = 0;
+    }
 }
 
 std::string why_bad(const HoleReport& report) {
@@ -82,7 +88,10 @@ void take(Choice choice, const FillRequest& request, ComputedFill& computed) {
         report.patches.push_back(facts_of(patch));
     }
     report.implicit = choice.fill.implicit;
+    report.asked.closed_form = has_closed_form(choice.fill);
     set_figures(choice.measures, report);
+    report.clashes = std::move(choice.measures.clashes);
+    report.overlays = std::move(choice.measures.overlays);
     forget_numbers_of_copies(report);
     if (report.verdict.severity == Severity::Bad && !request.keep_bad) {
         report.notes.push_back(std::move(report.reason));

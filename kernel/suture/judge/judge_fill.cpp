@@ -24,6 +24,10 @@ constexpr double kForced = 1.5;
 /// An edge's tolerance may be so many times the gap that was measured.
 constexpr double kToleranceShare = 1.5;
 
+/// A fill that has so many times the area of a coarse surface across the hole is a balloon. Half a
+/// ball has 2, the tip of a pen (a cone of 20 degrees) 6.
+constexpr double kBalloon = 8.0;
+
 class Judge {
   public:
     explicit Judge(const AskedFill& asked) : asked_(asked) {}
@@ -92,6 +96,10 @@ class Judge {
                 add(std::move(finding), Severity::Bad);
             }
         }
+        const double ratio = measures.area.ratio();
+        if (ratio > kBalloon && !asked_.closed_form) {
+            add(make(FindingKind::Balloon, ratio, kBalloon), Severity::Bad);
+        }
         for (const Clash& clash : measures.clashes) {
             Finding finding = make(FindingKind::Clash, clash.depth, asked_.tolerance.linear);
             finding.face = clash.face;
@@ -100,11 +108,15 @@ class Judge {
             add(std::move(finding), Severity::Bad);
         }
         for (const Overlay& overlay : measures.overlays) {
-            Finding finding = make(FindingKind::LiesOnFace, overlay.share, kLiesOn);
-            finding.face = overlay.face;
-            finding.other_face = overlay.other;
-            finding.at = overlay.at;
-            add(std::move(finding), overlay.share > kLiesOn ? Severity::Bad : Severity::Good);
+            const bool same_place =
+                overlay.neighbours || overlay.distance <= asked_.tolerance.linear;
+            if (overlay.share > kLiesOn && same_place) {
+                Finding finding = make(FindingKind::LiesOnFace, overlay.share, kLiesOn);
+                finding.face = overlay.face;
+                finding.other_face = overlay.other;
+                finding.at = overlay.at;
+                add(std::move(finding), Severity::Bad);
+            }
         }
     }
 

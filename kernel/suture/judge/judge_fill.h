@@ -27,7 +27,9 @@ struct AskedFill {
     int hole = 0;                  ///< id, for the findings
     std::vector<AskedSide> sides;  ///< in the order of FillMeasures::sides
     double diameter = 0.0;         ///< of the hole, model units
-    Tolerance tolerance;           ///< the request's: the one that every figure is held against
+    /// A cylinder, a ball or the like, which goes as far as it goes: it is no balloon.
+    bool closed_form = false;
+    Tolerance tolerance;  ///< the request's: the one that every figure is held against
 };
 
 /// What a fill is worth.

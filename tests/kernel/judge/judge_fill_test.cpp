@@ -23,9 +23,9 @@ struct Fill {
             measures.edges.push_back({edge.edge, 1e-7, Eigen::Vector3d::Zero()});
         }
     }
-    [[nodiscard]] Judgement verdict() const { return judge_fill(asked, measures); }
+    [[nodiscard]] Judgement judgement() const { return judge_fill(asked, measures); }
     [[nodiscard]] Finding only() const {
-        const Judgement result = verdict();
+        const Judgement result = judgement();
         EXPECT_EQ(result.findings.size(), 1U);
         return result.findings.empty() ? Finding() : result.findings.front();
     }
@@ -36,8 +36,8 @@ struct Fill {
 
 TEST(JudgeFill, HasNothingToSayOfAFillWithoutFault) {
     const Fill fill;
-    EXPECT_TRUE(fill.verdict().within());
-    EXPECT_TRUE(fill.verdict().findings.empty());
+    EXPECT_TRUE(fill.judgement().within());
+    EXPECT_TRUE(fill.judgement().findings.empty());
     EXPECT_EQ(reached_by(fill.asked, fill.measures), Continuity::G2);
 }
 
@@ -50,11 +50,11 @@ TEST(JudgeFill, GradesAMeasureByItsLimit) {
         SCOPED_TRACE(times);
         Fill gap;
         gap.measures.sides[1].max_gap = times * gap.asked.tolerance.linear;
-        EXPECT_EQ(gap.verdict().severity, severity);
-        EXPECT_NEAR(gap.verdict().score, times, 1e-12);
+        EXPECT_EQ(gap.judgement().severity, severity);
+        EXPECT_NEAR(gap.judgement().score, times, 1e-12);
         Fill angle;
         angle.measures.sides[1].max_angle = times * angle.asked.tolerance.angular;
-        EXPECT_EQ(angle.verdict().severity, severity);
+        EXPECT_EQ(angle.judgement().severity, severity);
         if (severity > Severity::Good) {
             EXPECT_EQ(gap.only().kind, FindingKind::Gap);
             EXPECT_EQ(gap.only().edge, 11);
@@ -86,33 +86,33 @@ TEST(JudgeFill, AsksNoMoreThanTheNeighboursHaveThemselves) {
     Fill fill;
     fill.measures.sides[2].max_angle = radians(0.05);
     fill.asked.sides[2].corner_angle = radians(0.06);
-    EXPECT_TRUE(fill.verdict().within());
+    EXPECT_TRUE(fill.judgement().within());
     EXPECT_TRUE(fill.only().before);
     fill.asked.sides[2].corner_angle = radians(0.04);
-    EXPECT_EQ(fill.verdict().severity, Severity::Near);
+    EXPECT_EQ(fill.judgement().severity, Severity::Near);
     EXPECT_FALSE(fill.only().before);
     // A hole between different surfaces is no noise.
     fill.measures.sides[2].max_angle = radians(2.0);
     fill.asked.sides[2].corner_angle = radians(2.5);
-    EXPECT_EQ(fill.verdict().severity, Severity::Poor);
+    EXPECT_EQ(fill.judgement().severity, Severity::Poor);
 }
 
 TEST(JudgeFill, JudgesGivenUpTangencyUnlessItWasAWall) {
     Fill fill;
     fill.asked.sides[0].continuity = Continuity::G0;
     fill.measures.sides[0].max_angle = radians(30.0);
-    EXPECT_TRUE(fill.verdict().within());
+    EXPECT_TRUE(fill.judgement().within());
     fill.asked.sides[0].given_up = true;
     EXPECT_EQ(fill.only().kind, FindingKind::TangencyGivenUp);
     EXPECT_EQ(fill.only().severity, Severity::Poor);
     fill.asked.sides[0].wall = true;
-    EXPECT_TRUE(fill.verdict().within());
+    EXPECT_TRUE(fill.judgement().within());
 }
 
 TEST(JudgeFill, CallsFoldsClashesAndDoubleFacesBad) {
     Fill folded;
     folded.measures.folds.push_back({});
-    EXPECT_TRUE(folded.verdict().within());
+    EXPECT_TRUE(folded.judgement().within());
     folded.measures.folds.back().verdict = FoldVerdict::Fold;
     EXPECT_EQ(folded.only().kind, FindingKind::Fold);
     EXPECT_EQ(folded.only().severity, Severity::Bad);
@@ -125,10 +125,30 @@ TEST(JudgeFill, CallsFoldsClashesAndDoubleFacesBad) {
     EXPECT_EQ(clashing.only().severity, Severity::Bad);
     EXPECT_EQ(clashing.only().other_face, 5);
     Fill lying;
-    lying.measures.overlays.push_back({3, 5, 0.4, 0.0, true, {1.0, 2.0, 3.0}});
-    EXPECT_TRUE(lying.verdict().within());
+    Overlay overlay;
+    overlay.face = 3;
+    overlay.other = 5;
+    overlay.share = 0.4;
+    overlay.neighbours = true;
+    lying.measures.overlays.push_back(overlay);
+    EXPECT_TRUE(lying.judgement().within());
     lying.measures.overlays.back().share = 0.6;
     EXPECT_EQ(lying.only().severity, Severity::Bad);
+    lying.measures.overlays.back().neighbours = false;
+    lying.measures.overlays.back().distance = 0.002;  // the other side of a thin wall
+    EXPECT_TRUE(lying.judgement().within());
+}
+
+TEST(JudgeFill, CallsABalloonBadButNotABall) {
+    Fill fill;
+    fill.measures.area = {16'470.0, 310.0, 1};
+    EXPECT_EQ(fill.only().kind, FindingKind::Balloon);
+    EXPECT_EQ(fill.only().severity, Severity::Bad);
+    fill.asked.closed_form = true;
+    EXPECT_TRUE(fill.judgement().within());
+    fill.asked.closed_form = false;
+    fill.measures.area = {620.0, 310.0, 1};  // half a ball
+    EXPECT_TRUE(fill.judgement().within());
 }
 
 TEST(JudgeFill, FindsTolerancesThatGrewBeyondTheGap) {
@@ -138,10 +158,10 @@ TEST(JudgeFill, FindsTolerancesThatGrewBeyondTheGap) {
     EXPECT_EQ(fill.only().kind, FindingKind::ToleranceGrown);
     EXPECT_EQ(fill.only().edge, 11);
     fill.asked.sides[1].tolerance = 0.03;  // as it was
-    EXPECT_TRUE(fill.verdict().within());
+    EXPECT_TRUE(fill.judgement().within());
     fill.asked.sides[1].tolerance = 0.0;
     fill.measures.sides[1].edge_gap = 0.021;  // the gap needs it
-    EXPECT_TRUE(fill.verdict().within());
+    EXPECT_TRUE(fill.judgement().within());
 }
 
 TEST(JudgeFill, JudgesEdgesAndKnotsInsideTheFill) {
@@ -151,7 +171,7 @@ TEST(JudgeFill, JudgesEdgesAndKnotsInsideTheFill) {
     edge.samples = 50;
     edge.max_angle = radians(0.03);
     inner.measures.inner.push_back(edge);
-    EXPECT_EQ(inner.verdict().severity, Severity::Near);
+    EXPECT_EQ(inner.judgement().severity, Severity::Near);
     EXPECT_EQ(reached_by(inner.asked, inner.measures), Continuity::G0);
     Fill crease;
     KnotLine line;
@@ -164,7 +184,7 @@ TEST(JudgeFill, JudgesEdgesAndKnotsInsideTheFill) {
     for (AskedSide& side : crease.asked.sides) {
         side.continuity = Continuity::G0;
     }
-    EXPECT_TRUE(crease.verdict().within());
+    EXPECT_TRUE(crease.judgement().within());
 }
 
 TEST(JudgeFill, TakesNothingThatWasNotMeasuredForGood) {
@@ -173,7 +193,7 @@ TEST(JudgeFill, TakesNothingThatWasNotMeasuredForGood) {
     EXPECT_EQ(lost.only().kind, FindingKind::NotMeasured);
     Fill no_number;
     no_number.measures.sides[0].max_gap = std::numeric_limits<double>::quiet_NaN();
-    EXPECT_FALSE(no_number.verdict().within());
+    EXPECT_FALSE(no_number.judgement().within());
     Fill open;
     open.measures.open_edges.push_back(open.measures.edges[1]);
     EXPECT_EQ(open.only().kind, FindingKind::OpenEdge);
@@ -186,11 +206,11 @@ TEST(JudgeFill, PutsTheWorstFirst) {
     fill.measures.sides[0].max_gap = 0.002;
     fill.measures.sides[1].max_angle = radians(0.05);
     fill.measures.sides[2].max_angle = radians(0.2);
-    const Judgement verdict = fill.verdict();
-    ASSERT_EQ(verdict.findings.size(), 3U);
-    EXPECT_EQ(verdict.findings[0].edge, 12);
-    EXPECT_EQ(verdict.findings[1].edge, 11);
-    EXPECT_NEAR(verdict.score, 20.0, 1e-9);
+    const Judgement judgement = fill.judgement();
+    ASSERT_EQ(judgement.findings.size(), 3U);
+    EXPECT_EQ(judgement.findings[0].edge, 12);
+    EXPECT_EQ(judgement.findings[1].edge, 11);
+    EXPECT_NEAR(judgement.score, 20.0, 1e-9);
 }
 
 TEST(JudgeProblems, TellsTheInputsFromTheFills) {
