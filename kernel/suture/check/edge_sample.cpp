@@ -24,6 +24,10 @@ constexpr int kSamplesMost = 513;
 constexpr int kEndSteps = 3;
 constexpr int kEndDivisions = 4;
 
+// Still narrower waves stand within less than a step of the end: there the samples lie so far from
+// it, as parts of the edge.
+constexpr std::array<double, 3> kNearEnd = {1e-4, 3e-4, 1e-3};
+
 // Pieces that the even division does not reach with so many points get them on their own, if they
 // are longer than this part of the edge: knots may crowd towards a corner.
 constexpr double kLeastPiece = 1e-5;
@@ -66,6 +70,10 @@ std::vector<double> sample_parameters(const BRepAdaptor_Curve& curve, const Edge
                     fractions.push_back(low + step * k / kEndDivisions);
                 }
             }
+        }
+        for (const double s : kNearEnd) {
+            fractions.push_back(s);
+            fractions.push_back(1.0 - s);
         }
         const double even = 1.0 / (count - 2);
         std::vector<double> ends = {0.0, 1.0};

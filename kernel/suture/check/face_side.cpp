@@ -36,6 +36,9 @@ constexpr double kLimitLength = 0.9;
 
 // Points of the edge at which the surface's knots that it passes are looked up.
 constexpr int kPieceSamples = 129;
+// How exactly a passage over a knot with a kink is found, and half of the piece around it.
+constexpr int kHalvings = 24;
+constexpr double kAtKink = 1e-5;
 
 occ::Handle<Geom_Surface> untrimmed(occ::Handle<Geom_Surface> surface) {
     while (const auto trimmed = occ::cast<Geom_RectangularTrimmedSurface>(surface)) {
@@ -64,6 +67,17 @@ std::vector<double> piece_ends(const GeomAdaptor_Surface& surface, bool is_u) {
     const auto spline = surface.BSpline();
     const TColStd_Array1OfReal& knots = is_u ? spline->UKnots() : spline->VKnots();
     return {knots.begin(), knots.end()};
+}
+
+/// Where what is below at `low` ceases to be, up to `high`.
+template <class Below>
+double passage(double low, double high, Below&& below) {
+    const bool low_is_below = below(low);
+    for (int step = 0; step < kHalvings; ++step) {
+        const double middle = 0.5 * (low + high);
+        (below(middle) == low_is_below ? low : high) = middle;
+    }
+    return 0.5 * (low + high);
 }
 
 bool is_finite(double value) {
@@ -165,10 +179,26 @@ void FaceSide::count_pieces() {
         const std::array<double, 2> now = {uv.X(), uv.Y()};
         for (const std::size_t k : {0U, 1U}) {
             for (const double knot : knots.at(k)) {
-                if (i > 0 && (before.at(k) < knot) != (now.at(k) < knot)) {
-                    const double t = (knot - before.at(k)) / (now.at(k) - before.at(k));
-                    passages_.push_back((i - 1 + t) / (kPieceSamples - 1));
+                if (i == 0 || (before.at(k) < knot) == (now.at(k) < knot)) {
+                    continue;
                 }
+                const double t = (knot - before.at(k)) / (now.at(k) - before.at(k));
+                const double at = (i - 1 + t) / (kPieceSamples - 1);
+                if (!directions_.at(k).at_break(knot)) {
+                    passages_.push_back(at);
+                    continue;
+                }
+                // The curvature jumps there: a narrow piece of its own, so that both limits are
+                // seen.
+                const double exact =
+                    passage((i - 1.0) / (kPieceSamples - 1),
+                            static_cast<double>(i) / (kPieceSamples - 1), [&](double part) {
+                                const gp_Pnt2d there = pcurve_->Value(
+                                    to_pcurve(range_.first + part * (range_.last - range_.first)));
+                                return (k == 0 ? there.X() : there.Y()) < knot;
+                            });
+                passages_.push_back(std::max(0.0, exact - kAtKink));
+                passages_.push_back(std::min(1.0, exact + kAtKink));
             }
         }
         before = now;

@@ -24,6 +24,7 @@ constexpr double kWorthRefining = 0.5;
 constexpr int kRefineMost = 12;
 constexpr double kSettled = 1e-3;
 constexpr int kRefineSteps = 24;
+constexpr int kKinkSteps = 40;
 
 // Below these, values are rounding noise and are not refined: angles in radians, gaps against the
 // edge's length, curvature mismatches.
@@ -73,6 +74,7 @@ class EdgeMeter {
     void record(const EdgeSample& sample);
     void refine(const std::vector<EdgeSample>& samples, double EdgeSample::*value, double noise);
     void refine_kinks(const std::vector<EdgeSample>& samples);
+    void refine_kink(EdgeSample a, EdgeSample b, int steps);
     void golden(double low, double high, double EdgeSample::*value, double best);
     void set_mean_angle(const std::vector<EdgeSample>& samples);
     void set_note();
@@ -250,15 +252,33 @@ void EdgeMeter::refine(const std::vector<EdgeSample>& samples, double EdgeSample
 }
 
 /// Of two faces that bend opposite ways the mismatch has a kink, and its peak, where they bend
-/// alike: it may be too narrow to raise a sample.
+/// alike: it may be too narrow to raise a sample, so that the place itself is sought.
 void EdgeMeter::refine_kinks(const std::vector<EdgeSample>& samples) {
     for (std::size_t i = 1; i < samples.size(); ++i) {
-        const EdgeSample& a = samples[i - 1];
-        const EdgeSample& b = samples[i];
-        if (a.excess * b.excess < 0.0 && (a.opposite || b.opposite)) {
-            golden(a.t, b.t, &EdgeSample::mismatch, std::max(a.mismatch, b.mismatch));
-        }
+        refine_kink(samples[i - 1], samples[i], kKinkSteps);
     }
+}
+
+void EdgeMeter::refine_kink(EdgeSample a, EdgeSample b, int steps) {
+    const bool alike_between = a.excess * b.excess < 0.0;
+    // Where one of them turns from one way to the other it is flat, and the less bent for a while.
+    const bool flat_between = a.opposite != b.opposite;
+    if (steps == 0 || !(a.opposite || b.opposite) || !(alike_between || flat_between)) {
+        return;
+    }
+    const EdgeSample middle = measure(0.5 * (a.t + b.t));
+    if (middle.mismatch >= 2.0 * (1.0 - kSettled)) {
+        return;  // there is no more than 2
+    }
+    if (!alike_between && middle.excess * a.excess < 0.0) {
+        refine_kink(a, middle, steps - 1);
+        refine_kink(middle, b, steps - 1);
+        return;
+    }
+    const bool like_a =
+        alike_between ? middle.excess * a.excess > 0.0 : middle.opposite == a.opposite;
+    (like_a ? a : b) = middle;
+    refine_kink(a, b, steps - 1);
 }
 
 void EdgeMeter::set_mean_angle(const std::vector<EdgeSample>& samples) {
