@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """What becomes of fills on their way through files, and whether other programs can go on with them.
 
-    written.py units -o docs/written.md      gap and angle in memory and read again, for ten fills, as STEP,
+    written.py units [-o FILE] [NAME...]     gap and angle in memory and read again, for ten fills, as STEP,
                                              IGES and BREP in millimetres, inches and metres
     written.py booleans [-o FILE] [NAME...]  FreeCAD's check of every model before and after its fill, and
                                              whether it can be cut in two (suture_halves): of ../shared and
@@ -97,10 +97,12 @@ def fill(model, output, extra=()):
     return done, done.document()
 
 
-def units(output):
+def units(output, names):
     rows = []
     with tempfile.TemporaryDirectory() as folder:
         for model, extra in TEN:
+            if names and not any(word in model.name for word in names):
+                continue
             if not model.exists():
                 print(f"{model.name}: not there", file=sys.stderr)
                 continue
@@ -129,7 +131,7 @@ def units(output):
                     )  # fmt: skip
                     print(*rows[-1], file=sys.stderr)
     columns = ("fill", "unit", "format", "gap in memory", "read again", "angle in memory", "read again", "")
-    text = HEADER + "\n".join(table(columns, rows)) + "\n"
+    text = HEADER + table(columns, rows) + "\n"
     output.write_text(text, encoding="utf-8")
 
 
@@ -187,7 +189,7 @@ def booleans(output, names):
             print(*rows[-1], file=sys.stderr, flush=True)
     columns = ("model", "check before", "check after", "volume lost by halving", "method")
     lines = [f"{key}: {value}" for key, value in counts.items()]
-    text = "\n".join([*lines, "", *table(columns, rows)]) + "\n"
+    text = "\n".join([*lines, "", table(columns, rows)]) + "\n"
     if output:
         output.write_text(text, encoding="utf-8")
     print(text)
@@ -205,7 +207,7 @@ def main():
     parser.add_argument("-o", "--output", type=Path)
     options = parser.parse_intermixed_args()
     if options.what == "units":
-        units(options.output or SOURCE / "docs/written.md")
+        units(options.output or SOURCE / "docs/written.md", options.names)
     else:
         booleans(options.output, options.names)
 
