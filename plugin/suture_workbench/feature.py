@@ -77,9 +77,14 @@ class Request:
             own=dict(entry.split("=", 1) for entry in obj.MethodOptions if "=" in entry),
             one_face=obj.OneFace,
             all_loops=obj.AllLoops,
+            keep_bad=obj.KeepBad,
         )
         points = places.points_through(obj.Through, base)
         return cls(base, options.with_points(points), shape)
+
+    def keeping_bad(self, keep):
+        """The same, with bad fills kept or left out."""
+        return Request(self.base, self.options.keeping_bad(keep), self.shape)
 
     def key(self):
         text = exchange.fingerprint(self.shape) + self.options.key()
@@ -117,6 +122,7 @@ def set_options(obj, options, through=()):
         setattr(obj, "Edges" + wanted, (base, edges) if edges else None)
     shape = places.local_shape(base)
     obj.EdgeMarks = [marks.written(shape, edge) for edge in options.named_edges()]
+    obj.KeepBad = options.keep_bad
     obj.OneFace, obj.AllLoops = options.one_face, options.all_loops
     obj.Gap, obj.Angle, obj.Curvature = options.gap, options.angle, options.curvature
     obj.Through = list(through)
@@ -140,7 +146,9 @@ def store(obj, request, filled):
 
 def stored(obj, request):
     """What an object has already, as FillHoles would give it; None if a request differs from it."""
-    if obj is None or obj.InputKey != request.key() or obj.Shape.isNull():
+    if obj is None or obj.Shape.isNull():
+        return None
+    if obj.InputKey != request.keeping_bad(obj.KeepBad).key():
         return None
     shape = exchange.without_placement(obj.Shape)
     new = list(obj.NewFaces)

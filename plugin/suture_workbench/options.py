@@ -4,7 +4,7 @@
 import copy
 import json
 
-from . import settings
+from . import program, settings
 
 CONTINUITIES = ["auto", "G0", "G1", "G2"]
 PROFILES = ["catia", "vda4955", "alias", "rhino", "occt"]
@@ -19,6 +19,7 @@ class FillOptions:
     sides        {edge: "G2"}: the continuity of single sides
     points       to pass through, as (x, y, z)
     own          {key: value}: the method's own options (program.options_of)
+    keep_bad     put in what is bad (docs/judge.md) as well: the user has seen it
     """
 
     def __init__(self, edges=(), method=None, continuity="auto", sides=None, points=(), **more):
@@ -33,6 +34,7 @@ class FillOptions:
         self.own = {key: str(value) for key, value in (more.pop("own", None) or {}).items()}
         self.one_face = more.pop("one_face", False)
         self.all_loops = more.pop("all_loops", False)
+        self.keep_bad = more.pop("keep_bad", False)
         if more:
             raise TypeError(f"no such option: {', '.join(more)}")
 
@@ -41,6 +43,12 @@ class FillOptions:
         more = copy.copy(self)
         more.points = [*self.points, *(tuple(float(x) for x in point) for point in points)]
         return more
+
+    def keeping_bad(self, keep):
+        """The same, with bad fills kept or left out."""
+        other = copy.copy(self)
+        other.keep_bad = bool(keep)
+        return other
 
     def named_edges(self):
         return list(dict.fromkeys([*self.edges, *self.sides]))
@@ -57,6 +65,8 @@ class FillOptions:
             words += ["--option", f"{key}={value}"]
         if self.all_loops:
             words.append("--all-loops")
+        if self.keep_bad and program.judges():
+            words.append("--keep-bad")
         return words
 
     def key(self):

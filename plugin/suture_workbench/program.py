@@ -93,13 +93,19 @@ def end_children(pid):
 
 
 _USUAL = [{"id": name} for name in ("auto", "extend", "plane", "mvs", "occt")]
-_tables = {}
+_tables, _schemas = {}, {}
 
 
 def methods():
     """The names of the fill methods of the program that is there, `auto` first; the usual ones where
     there is none."""
     return [method["id"] for method in _table()]
+
+
+def judges():
+    """Whether the program leaves bad fills out unless it is told to keep them (since schema 3)."""
+    _table()
+    return any(schema >= 3 for schema in _schemas.values())
 
 
 def title_of(method):
@@ -133,7 +139,10 @@ def _ask_for_methods(path):
         timeout=10,
         check=True,
     )
-    return json.loads(done.stdout)["methods"]
+    answer = json.loads(done.stdout)
+    _schemas.clear()
+    _schemas[path] = answer.get("schema", 0)
+    return answer["methods"]
 
 
 def _runs(path):

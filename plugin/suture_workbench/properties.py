@@ -71,6 +71,13 @@ _PROPERTIES = [
         0,
     ),
     (
+        "KeepBad",
+        "App::PropertyBool",
+        "Fill",
+        mark("Keep a fill that is bad: folded, clashing, far off"),
+        0,
+    ),
+    (
         "Through",
         "App::PropertyLinkSubListGlobal",
         "Fill",

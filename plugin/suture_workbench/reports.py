@@ -18,8 +18,11 @@ Holes = namedtuple("Holes", "verdict holes sewn sewing_tolerance document")
 Side = namedtuple("Side", "edge face wanted reason gap angle curvature")
 HoleFill = namedtuple(
     "HoleFill",
-    "id ids status method wanted reached ok gap angle reason sides new_faces notes edges points distance",
+    "id ids status method wanted reached ok gap angle reason sides new_faces notes edges points distance "
+    "findings",
 )
+# What is not as it should be: severity "near", "poor", "bad" ("good" is left out), figures in `unit`.
+Finding = namedtuple("Finding", "kind severity value limit unit edge text")
 Fill = namedtuple("Fill", "verdict holes closed valid free_edges ok limits document")
 
 class EdgeCheck(
@@ -128,6 +131,7 @@ def fill(document):
             [side["edge"] for side in entry["edges"]],
             entry.get("points_through") or 0,
             entry.get("max_distance_through"),
+            _findings(entry),
         )
         for entry in document["holes"]
     ]
@@ -141,6 +145,23 @@ def fill(document):
         document["tolerance"],
         document,
     )
+
+
+def _findings(entry):
+    """The findings of a hole that count: not what was wrong before."""
+    return [
+        Finding(
+            found["kind"],
+            found["severity"],
+            found["value"],
+            found["limit"],
+            found["unit"],
+            found["edge"],
+            in_freecads_words(found["text"]),
+        )
+        for found in entry.get("findings") or []
+        if not found["before"] and found["severity"] != "good"
+    ]
 
 
 def refusal(report):

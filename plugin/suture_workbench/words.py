@@ -169,7 +169,42 @@ def shortfall(report):
     return "\n".join(lines)
 
 
+def finding_text(finding):
+    """What is wrong, in words; what is new to us as the program says it."""
+    name = {
+        "gap": translate("gap"),
+        "angle": translate("angle"),
+        "curvature": translate("curvature mismatch"),
+        "crease": translate("crease inside the new face"),
+        "clash": translate("the new face cuts another one, to a depth of"),
+        "balloon": translate("bulges: times the area of a stretched surface"),
+        "tolerance_grown": translate("tolerance of the edge grown to"),
+        "tangency_given_up": translate("tangency given up, angle"),
+        "through": translate("distance of a point to be passed"),
+    }.get(finding.kind)
+    if name is not None:
+        unit = "°" if finding.unit == "deg" else f" {finding.unit}".rstrip()
+        return translate("{} {:.3g}{} (at most {:.3g})").format(
+            name, finding.value, unit, finding.limit
+        )
+    return {
+        "fold": translate("the new face folds"),
+        "lies_on_face": translate("the new face lies on another one"),
+        "open_edge": translate("an edge of the new face is open"),
+        "not_measured": translate("could not be measured"),
+        "not_valid": translate("the shape is not valid"),
+    }.get(finding.kind, finding.text)
+
+
+def _at(hole, finding):
+    where = translate("Hole {}, Edge{}: {}.") if finding.edge else translate("Hole {}: {}.")
+    place = (hole.id, finding.edge) if finding.edge else (hole.id,)
+    return where.format(*place, finding_text(finding))
+
+
 def _hole_faults(hole, limits):
+    if hole.findings:
+        return [_at(hole, finding) for finding in hole.findings]
     lines = []
     for side in hole.sides:
         faults = side_faults(side, limits)
@@ -190,6 +225,10 @@ def doubts(report):
     for hole in report.holes:
         if hole.status == "refused":
             lines.append(translate("Hole {} was refused and stays open.").format(hole.id))
+        if hole.findings and hole.status == "filled":
+            bad = [finding for finding in hole.findings if finding.severity in ("poor", "bad")]
+            lines += [_at(hole, finding) for finding in bad]
+            continue
         for side in hole.sides if hole.status == "filled" else ():
             far = [f for f in side_faults(side, report.limits) if f[1] > _HUGE * f[2]]
             if far:

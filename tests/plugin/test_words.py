@@ -27,12 +27,49 @@ class Words(Case):
         report = reports.fill(json.loads(filled.Report))
         (hole,) = report.holes
         good = hole.sides[0]._replace(angle=0.001, gap=1e-6)
-        report = report._replace(holes=[hole._replace(sides=[good, *hole.sides[1:]])])
+        report = report._replace(
+            holes=[hole._replace(sides=[good, *hole.sides[1:]], findings=[])]
+        )
         text = words.shortfall(report)
         self.assertNotIn(f"Edge{good.edge}:", text)
         for side in hole.sides[1:]:
             self.assertIn(f"Edge{side.edge}: angle", text)
         self.assertIn("at most 0.01", text)
+
+    def test_findings_of_the_program_are_said_where_it_has_some(self):
+        from suture_workbench import reports
+
+        found = {
+            "kind": "angle",
+            "severity": "poor",
+            "value": 0.25,
+            "limit": 0.01,
+            "unit": "deg",
+            "edge": 9,
+            "before": False,
+            "text": "angle 0.25 deg on edge 9",
+        }
+        others = [
+            found | {"severity": "good", "edge": 10},
+            found | {"before": True, "edge": 11},
+            found | {"severity": "near", "value": 0.02, "edge": 12},
+            found | {"kind": "fold", "severity": "bad", "edge": None},
+            found | {"kind": "new to us", "edge": 13, "text": "odd at edge 13"},
+        ]
+        filled = api.fill(self.add(example()), method="occt")
+        document = json.loads(filled.Report)
+        document["holes"][0]["findings"] = [found, *others]
+        report = reports.fill(document)
+        text = words.shortfall(report)
+        for said in ("Edge9: angle 0.25° (at most 0.01)", "Edge12: angle 0.02", "face folds"):
+            self.assertIn(said, text)
+        self.assertIn("odd at Edge13", text)
+        for unsaid in ("Edge10", "Edge11"):
+            self.assertNotIn(unsaid, text)
+        doubts = words.doubts(report)
+        self.assertIn("Edge9", doubts)
+        self.assertIn("folds", doubts)
+        self.assertNotIn("Edge12", doubts)
 
     def test_a_join_in_position_only_has_no_angle_to_miss(self):
         limits = {"gap_mm": 0.001, "angle_deg": 0.01, "curvature_percent": 2.0}

@@ -156,6 +156,7 @@ class FillPanel(Panel):
             curvature=self.curvature.value(),
             one_face=self._one_face(),
             all_loops=any(hole.kind != reports.FILLABLE for hole in holes),
+            keep_bad=True,  # to be seen; whether it stays is asked in the end
         )
 
     def _one_face(self):
@@ -254,9 +255,10 @@ class FillPanel(Panel):
         try:
             request = self.request()
             filled = self._result(request)
-            if not failures.confirm(words.doubts(filled.report)):
+            doubts = words.doubts(filled.report)
+            if not failures.confirm(doubts):
                 return False
-            self._commit(request, filled)
+            self._commit(request, filled, keep_bad=bool(doubts))
         except Exception as error:  # the panel stays, so that something else can be tried
             failures.show(error, self.item)
             return False
@@ -277,9 +279,15 @@ class FillPanel(Panel):
         self._previewed(filled)
         return filled
 
-    def _commit(self, request, filled):
+    def _commit(self, request, filled, keep_bad):
         self._restore()  # what was shown for the edit is no change of the document
-        obj = api.keep(request, filled, self.options(), self.through.references, self.edited)
+        obj = api.keep(
+            request.keeping_bad(keep_bad),
+            filled,
+            self.options().keeping_bad(keep_bad),
+            self.through.references,
+            self.edited,
+        )
         obj.ViewObject.Visibility = True
         Gui.Selection.clearSelection()
         App.Console.PrintMessage(f"{obj.Label}: {obj.Verdict}\n")

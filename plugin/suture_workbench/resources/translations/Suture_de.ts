@@ -659,6 +659,11 @@ oder installieren oder angeben, wo es ist: Bearbeiten &gt; Einstellungen &gt; Su
     </message>
     <message>
       <location filename="suture_workbench/properties.py" />
+      <source>Keep a fill that is bad: folded, clashing, far off</source>
+      <translation>Eine schlechte Füllung behalten: gefaltet, durchdringend, weit daneben</translation>
+    </message>
+    <message>
+      <location filename="suture_workbench/properties.py" />
       <source>Vertices and edges that the new face passes through</source>
       <translation>Punkte und Kanten, durch die die neue Fläche geht</translation>
     </message>
@@ -794,6 +799,16 @@ oder installieren oder angeben, wo es ist: Bearbeiten &gt; Einstellungen &gt; Su
     </message>
     <message>
       <location filename="suture_workbench/words.py" />
+      <source>Hole {}, Edge{}: {}.</source>
+      <translation>Loch {}, Edge{}: {}.</translation>
+    </message>
+    <message>
+      <location filename="suture_workbench/words.py" />
+      <source>Hole {}: {}.</source>
+      <translation>Loch {}: {}.</translation>
+    </message>
+    <message>
+      <location filename="suture_workbench/words.py" />
       <source>Tangent wherever the neighbours allow it, else in position only.</source>
       <translation>Tangential, wo die Nachbarn es erlauben, sonst nur in der Lage.</translation>
     </message>
@@ -926,6 +941,81 @@ oder installieren oder angeben, wo es ist: Bearbeiten &gt; Einstellungen &gt; Su
       <location filename="suture_workbench/words.py" />
       <source>Largest gap {:.2g} mm</source>
       <translation>Größter Spalt {:.2g} mm</translation>
+    </message>
+    <message>
+      <location filename="suture_workbench/words.py" />
+      <source>gap</source>
+      <translation>Spalt</translation>
+    </message>
+    <message>
+      <location filename="suture_workbench/words.py" />
+      <source>angle</source>
+      <translation>Winkel</translation>
+    </message>
+    <message>
+      <location filename="suture_workbench/words.py" />
+      <source>curvature mismatch</source>
+      <translation>Unterschied der Krümmung</translation>
+    </message>
+    <message>
+      <location filename="suture_workbench/words.py" />
+      <source>crease inside the new face</source>
+      <translation>Knick in der neuen Fläche</translation>
+    </message>
+    <message>
+      <location filename="suture_workbench/words.py" />
+      <source>the new face cuts another one, to a depth of</source>
+      <translation>die neue Fläche schneidet eine andere, Tiefe</translation>
+    </message>
+    <message>
+      <location filename="suture_workbench/words.py" />
+      <source>bulges: times the area of a stretched surface</source>
+      <translation>bläht sich auf: das Vielfache der Fläche einer gespannten Haut</translation>
+    </message>
+    <message>
+      <location filename="suture_workbench/words.py" />
+      <source>tolerance of the edge grown to</source>
+      <translation>Toleranz der Kante gewachsen auf</translation>
+    </message>
+    <message>
+      <location filename="suture_workbench/words.py" />
+      <source>tangency given up, angle</source>
+      <translation>Tangentialität aufgegeben, Winkel</translation>
+    </message>
+    <message>
+      <location filename="suture_workbench/words.py" />
+      <source>distance of a point to be passed</source>
+      <translation>Abstand eines Punktes, durch den sie gehen soll</translation>
+    </message>
+    <message>
+      <location filename="suture_workbench/words.py" />
+      <source>{} {:.3g}{} (at most {:.3g})</source>
+      <translation>{} {:.3g}{} (höchstens {:.3g})</translation>
+    </message>
+    <message>
+      <location filename="suture_workbench/words.py" />
+      <source>the new face folds</source>
+      <translation>die neue Fläche faltet sich</translation>
+    </message>
+    <message>
+      <location filename="suture_workbench/words.py" />
+      <source>the new face lies on another one</source>
+      <translation>die neue Fläche liegt auf einer anderen</translation>
+    </message>
+    <message>
+      <location filename="suture_workbench/words.py" />
+      <source>an edge of the new face is open</source>
+      <translation>eine Kante der neuen Fläche ist offen</translation>
+    </message>
+    <message>
+      <location filename="suture_workbench/words.py" />
+      <source>could not be measured</source>
+      <translation>konnte nicht gemessen werden</translation>
+    </message>
+    <message>
+      <location filename="suture_workbench/words.py" />
+      <source>the shape is not valid</source>
+      <translation>die Form ist ungültig</translation>
     </message>
     <message>
       <location filename="suture_workbench/words.py" />
@@ -1091,11 +1181,6 @@ oder installieren oder angeben, wo es ist: Bearbeiten &gt; Einstellungen &gt; Su
       <location filename="suture_workbench/words.py" />
       <source>Hole {}{} was refused: {}</source>
       <translation>Loch {}{} wurde abgelehnt: {}</translation>
-    </message>
-    <message>
-      <location filename="suture_workbench/words.py" />
-      <source>Hole {}, Edge{}: {}.</source>
-      <translation>Loch {}, Edge{}: {}.</translation>
     </message>
     <message>
       <location filename="suture_workbench/words.py" />
