@@ -50,6 +50,24 @@ function(suture_module name folder)
     install(TARGETS ${module} LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/suture)
 endfunction()
 
+# suture_program(NAME FOLDER SOURCES file... LINK library...)
+# What a folder does in a process of its own: suture_NAME, which program_on_demand finds on the
+# program's run path, beside the modules.
+function(suture_program name folder)
+    cmake_parse_arguments(arg "" "" "SOURCES;LINK" ${ARGN})
+    set(program suture_program_${name})
+    add_executable(${program} ${arg_SOURCES})
+    set_target_properties(${program} PROPERTIES OUTPUT_NAME suture_${name}
+                                                RUNTIME_OUTPUT_DIRECTORY ${SUTURE_MODULE_DIR})
+    target_include_directories(${program} PRIVATE ${SUTURE_INCLUDE_ROOT})
+    target_link_libraries(${program} PRIVATE ${arg_LINK} suture_flags)
+    add_dependencies(suture_${folder} ${program})
+    target_link_options(
+        suture_${folder} INTERFACE
+        "$<INSTALL_INTERFACE:LINKER:-rpath,$<INSTALL_PREFIX>/${CMAKE_INSTALL_LIBDIR}/suture>")
+    install(TARGETS ${program} RUNTIME DESTINATION ${CMAKE_INSTALL_LIBDIR}/suture)
+endfunction()
+
 # suture_group(NAME folder...): one name for several folders.
 function(suture_group name)
     add_library(suture_${name} INTERFACE)

@@ -96,10 +96,10 @@ class InstalledPackage(unittest.TestCase):
 
     def test_the_installed_program_finds_its_modules_and_no_others(self):
         self.write_iges()
-        modules = sorted(self.prefix.rglob("suture_*.so"))
+        modules = sorted((self.prefix / "lib").rglob("suture/suture_*"))
         self.assertEqual(
             [module.name for module in modules],
-            ["suture_iges.so", "suture_occt_filling.so", "suture_zip.so"],
+            ["suture_iges.so", "suture_occt_filling", "suture_zip.so"],
         )
         for module in modules:
             module.unlink()

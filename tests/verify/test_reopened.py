@@ -43,7 +43,7 @@ class Filled:
         folder.mkdir(parents=True, exist_ok=True)
         self.out = folder / f"{case.name}-{method}.step"
         self.out.unlink(missing_ok=True)
-        command = [SUTURE, "fill", case.model, "-o", self.out, "--hole", case.hole, "--json"]
+        command = [SUTURE, "fill", case.model, "-o", self.out, "--hole", case.hole, "--keep-bad", "--json"]
         self.run = run([*command, *METHODS[method]], FILL_LIMIT)
         self.report = self.run.document()
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string>
+
 namespace suture {
 
 /// A symbol of a shared library that is loaded when it is first asked for, and stays loaded: what
@@ -17,5 +19,10 @@ template <class Function>
 [[nodiscard]] Function* function_on_demand(const char* library, const char* name) {
     return reinterpret_cast<Function*>(symbol_on_demand(library, name));
 }
+
+/// Where a program of ours stands that does its work in a process of its own: on the run path too.
+///
+/// Refuses  by std::runtime_error one that is not there.
+[[nodiscard]] std::string program_on_demand(const char* name);
 
 }  // namespace suture

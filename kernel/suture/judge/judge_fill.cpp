@@ -24,6 +24,9 @@ constexpr double kForced = 1.5;
 /// An edge's tolerance may be so many times the gap that was measured.
 constexpr double kToleranceShare = 1.5;
 
+/// Readers compute the tolerance that an edge had before to this much.
+constexpr double kReadAgain = 1.01;
+
 /// A fill that has so many times the area of a coarse surface across the hole is a balloon. Half a
 /// ball has 2, the tip of a pen (a cone of 20 degrees) 6.
 constexpr double kBalloon = 8.0;
@@ -164,7 +167,8 @@ class Judge {
                                  [&](const EdgeContinuity& e) { return e.edge == edge.edge; });
                 measured = inner != measures.inner.end() ? gap_along(*inner) : 0.0;
             }
-            finding.limit = std::max({kToleranceShare * measured, before, asked_.tolerance.linear});
+            finding.limit = std::max(
+                {kToleranceShare * measured, kReadAgain * before, asked_.tolerance.linear});
             finding.at = edge.at;
             add(std::move(finding), of(edge.tolerance, finding.limit));
         }

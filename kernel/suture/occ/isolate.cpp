@@ -2,7 +2,11 @@
 
 #include "suture/occ/guard.h"
 
+#include <fcntl.h>
 #include <poll.h>
+#include <spawn.h>
+#include <sys/mman.h>
+#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -17,35 +21,39 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// The first byte of the child's answer.
+/// The first byte of the answer.
 constexpr char kValue = 'v';
 constexpr char kError = 'e';
 
 /// How often a waiting parent looks whether the user has cancelled.
 constexpr std::chrono::milliseconds kCancelInterval{50};
 
-/// Both ends of a pipe, closed at the end of the scope.
-class Pipe {
+/// Where a program finds the pipe for its answer.
+constexpr int kAnswer = 3;
+
+/// A file that closes itself. Those of this process are no other child's.
+class File {
   public:
-    Pipe() { open_ = pipe(ends_.data()) == 0; }
-    Pipe(const Pipe&) = delete;
-    Pipe& operator=(const Pipe&) = delete;
-    ~Pipe() {
-        close_end(0);
-        close_end(1);
-    }
-    [[nodiscard]] bool is_open() const { return open_; }
-    [[nodiscard]] int end(std::size_t which) const { return ends_[which]; }
-    void close_end(std::size_t which) {
-        if (open_ && ends_[which] >= 0) {
-            close(ends_[which]);
-            ends_[which] = -1;
+    explicit File(int file = -1) : file_(file) {}
+    File(const File&) = delete;
+    File& operator=(const File&) = delete;
+    ~File() { reset(-1); }
+    [[nodiscard]] int get() const { return file_; }
+    void reset(int file) {
+        if (file_ >= 0) {
+            close(file_);
         }
+        file_ = file;
     }
 
   private:
-    std::array<int, 2> ends_ = {-1, -1};
-    bool open_ = false;
+    int file_;
+};
+
+/// The child as it is started.
+struct Child {
+    pid_t id = -1;
+    File answer;  ///< what it says, to be read
 };
 
 void write_all(int file, const std::string& bytes) {
@@ -56,24 +64,50 @@ void write_all(int file, const std::string& bytes) {
             continue;
         }
         if (n <= 0) {
-            return;  // the parent is gone: nobody to answer
+            return;  // the other end is gone
         }
         done += static_cast<std::size_t>(n);
     }
 }
 
-[[noreturn]] void answer(int file, std::string_view what,
-                         const std::function<Result<std::string>()>& action) {
-    const Result<std::string> result = guarded(what, action);
-    if (result) {
-        write_all(file, kValue + *result);
-    } else {
-        write_all(
-            file,
-            std::string{kError, static_cast<char>('0' + static_cast<int>(result.error().code))} +
-                result.error().message);
+std::string read_all(int file) {
+    std::string bytes;
+    std::array<char, 65536> buffer{};
+    for (;;) {
+        const ssize_t n = read(file, buffer.data(), buffer.size());
+        if (n < 0 && errno == EINTR) {
+            continue;
+        }
+        if (n <= 0) {
+            return bytes;
+        }
+        bytes.append(buffer.data(), static_cast<std::size_t>(n));
     }
-    _exit(0);  // no destructors: they belong to the parent
+}
+
+/// Starts the program with the request as its standard input; false: errno says why not.
+bool start(const std::string& program, const std::string& request, Child& child) {
+    const File input(memfd_create("request", MFD_CLOEXEC));
+    std::array<int, 2> ends{};
+    if (input.get() < 0 || pipe2(ends.data(), O_CLOEXEC) != 0) {
+        return false;
+    }
+    child.answer.reset(ends[0]);
+    const File output(ends[1]);
+    write_all(input.get(), request);
+    lseek(input.get(), 0, SEEK_SET);
+    posix_spawn_file_actions_t files;
+    posix_spawn_file_actions_init(&files);
+    posix_spawn_file_actions_adddup2(&files, input.get(), STDIN_FILENO);
+    posix_spawn_file_actions_adddup2(&files, STDERR_FILENO, STDOUT_FILENO);
+    posix_spawn_file_actions_adddup2(&files, output.get(), kAnswer);
+    std::string path = program;
+    const std::array<char*, 2> arguments{path.data(), nullptr};
+    const int error =
+        posix_spawn(&child.id, program.c_str(), &files, nullptr, arguments.data(), environ);
+    posix_spawn_file_actions_destroy(&files);
+    errno = error;
+    return error == 0;
 }
 
 Result<std::string> interpret(std::string_view what, const std::string& bytes, int status) {
@@ -91,25 +125,17 @@ Result<std::string> interpret(std::string_view what, const std::string& bytes, i
 
 }  // namespace
 
-Result<std::string> run_isolated(std::string_view what,
-                                 const std::function<Result<std::string>()>& action,
-                                 std::chrono::milliseconds limit, const Progress& progress) {
-    Pipe pipe;
-    if (!pipe.is_open()) {
-        return fail(ErrorCode::Internal, "{}: no pipe: {}", what, std::strerror(errno));
+Result<std::string> run_isolated(std::string_view what, const std::string& program,
+                                 const std::string& request, std::chrono::milliseconds limit,
+                                 const Progress& progress) {
+    Child child;
+    if (!start(program, request, child)) {
+        return fail(ErrorCode::Internal, "{}: {} could not be started: {}", what, program,
+                    std::strerror(errno));
     }
-    const pid_t child = fork();
-    if (child < 0) {
-        return fail(ErrorCode::Internal, "{}: no child process: {}", what, std::strerror(errno));
-    }
-    if (child == 0) {
-        pipe.close_end(0);
-        answer(pipe.end(1), what, action);
-    }
-    pipe.close_end(1);
     const auto stop = [&] {
-        kill(child, SIGKILL);
-        waitpid(child, nullptr, 0);
+        kill(child.id, SIGKILL);
+        waitpid(child.id, nullptr, 0);
     };
     std::string bytes;
     const auto deadline = Clock::now() + limit;
@@ -125,13 +151,13 @@ Result<std::string> run_isolated(std::string_view what,
             stop();
             return fail(ErrorCode::Cancelled, "{} was stopped", what);
         }
-        pollfd wait{pipe.end(0), POLLIN, 0};
+        pollfd wait{child.answer.get(), POLLIN, 0};
         const int ready = poll(&wait, 1, static_cast<int>(std::min(left, kCancelInterval).count()));
         if (ready <= 0) {
             continue;
         }
         std::array<char, 65536> buffer{};
-        const ssize_t n = read(pipe.end(0), buffer.data(), buffer.size());
+        const ssize_t n = read(child.answer.get(), buffer.data(), buffer.size());
         if (n < 0 && errno == EINTR) {
             continue;
         }
@@ -141,8 +167,24 @@ Result<std::string> run_isolated(std::string_view what,
         bytes.append(buffer.data(), static_cast<std::size_t>(n));
     }
     int status = 0;
-    waitpid(child, &status, 0);
+    waitpid(child.id, &status, 0);
     return interpret(what, bytes, status);
+}
+
+int serve(std::string_view what,
+          const std::function<Result<std::string>(const std::string& request)>& action) {
+    prctl(PR_SET_PDEATHSIG, SIGKILL);
+    const std::string request = read_all(STDIN_FILENO);
+    const Result<std::string> result = guarded(what, [&] { return action(request); });
+    if (result) {
+        write_all(kAnswer, kValue + *result);
+    } else {
+        write_all(
+            kAnswer,
+            std::string{kError, static_cast<char>('0' + static_cast<int>(result.error().code))} +
+                result.error().message);
+    }
+    return 0;
 }
 
 }  // namespace suture::occ

@@ -4,19 +4,16 @@
 #include "suture/occ/convert.h"
 #include "suture/occ/guard.h"
 #include "suture/occ/isolate.h"
-#include "suture/occt_filling/filling_module.h"
+#include "suture/occt_filling/filling_request.h"
 #include "suture/occt_filling/invert.h"
 
 #include <BRep_Tool.hxx>
-#include <BinTools.hxx>
 #include <Geom2d_Curve.hxx>
 #include <GeomConvert.hxx>
 #include <TopoDS.hxx>
-#include <TopoDS_Compound.hxx>
 #include <TopoDS_Iterator.hxx>
 
 #include <memory>
-#include <sstream>
 
 namespace suture {
 namespace {
@@ -38,48 +35,19 @@ GeomAbs_Shape constraint(Continuity continuity) {
     return continuity == Continuity::G0 ? GeomAbs_C0 : GeomAbs_G1;
 }
 
-/// OCCT's face, and after it the loop's edges as OCCT copied them, with their curves on the face.
-Result<TopoDS_Compound> run_filling(const BoundaryLoop& loop, const RibbonLoop& ribbons,
-                                    const std::vector<Eigen::Vector3d>& through,
-                                    const PlateArguments& arguments) {
-    std::vector<PlateSide> sides;
+PlateRequest request_of(const BoundaryLoop& loop, const RibbonLoop& ribbons,
+                        const std::vector<Eigen::Vector3d>& through, PlateSetting setting) {
+    PlateRequest request;
+    request.arguments = arguments_of(setting);
     for (std::size_t i = 0; i < loop.edges.size(); ++i) {
-        sides.push_back(
-            {loop.edges[i].edge, loop.edges[i].face, constraint(ribbons.ribbons[i].continuity)});
+        const Ribbon& ribbon = ribbons.ribbons[i];
+        request.sides.push_back({loop.edges[i].edge, loop.edges[i].face,
+                                 constraint(ribbon.continuity), name_of(ribbon)});
     }
-    std::vector<gp_Pnt> points;
-    points.reserve(through.size());
     for (const Eigen::Vector3d& point : through) {
-        points.push_back(occ::to_point(point));
+        request.through.push_back(occ::to_point(point));
     }
-    static MakePlate* const make_plate = *static_cast<MakePlate* const*>(
-        symbol_on_demand("suture_occt_filling.so", "suture_make_plate"));
-    MadePlate made = make_plate(sides, points, arguments);
-    switch (made.outcome) {
-        case MadePlate::Outcome::NoSurface:
-            return fail(ErrorCode::Refused, "OCCT's filling found no surface");
-        case MadePlate::Outcome::NoFace:
-            return fail(ErrorCode::Refused, "OCCT's filling made no face");
-        case MadePlate::Outcome::LostEdge:
-            return fail(ErrorCode::Refused, "OCCT's filling lost {}",
-                        name_of(ribbons.ribbons[made.lost]));
-        case MadePlate::Outcome::Done:
-            break;
-    }
-    return std::move(made.shape);
-}
-
-std::string packed(const TopoDS_Shape& shape) {
-    std::ostringstream bytes;
-    BinTools::Write(shape, bytes);
-    return bytes.str();
-}
-
-TopoDS_Shape unpacked(const std::string& bytes) {
-    std::istringstream stream(bytes);
-    TopoDS_Shape shape;
-    BinTools::Read(shape, stream);
-    return shape;
+    return request;
 }
 
 /// OCCT's surface, trimmed where its own curves run or, better, where it is nearest to the sides.
@@ -123,19 +91,16 @@ Result<FillResult> fill_with_plate(const std::vector<BoundaryLoop>& loops, const
                     "one",
                     loops.size());
     }
+    static const std::string program = program_on_demand("suture_occt_filling");
     const auto bytes = occ::run_isolated(
-        "OCCT's filling",
-        [&]() -> Result<std::string> {
-            const auto made =
-                run_filling(loops.front(), hole.loops.front(), hole.through, arguments_of(setting));
-            return made ? Result<std::string>(packed(*made)) : tl::unexpected(made.error());
-        },
-        limit, progress);
+        "OCCT's filling", program,
+        packed(request_of(loops.front(), hole.loops.front(), hole.through, setting)), limit,
+        progress);
     if (!bytes) {
         return tl::unexpected(bytes.error());
     }
     auto patch = occ::guarded("OCCT's filling",
-                              [&] { return patch_of(unpacked(*bytes), hole.loops.front()); });
+                              [&] { return patch_of(unpacked_shape(*bytes), hole.loops.front()); });
     if (!patch) {
         return tl::unexpected(patch.error());
     }

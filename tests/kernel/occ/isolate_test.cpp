@@ -3,48 +3,44 @@
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 
-#include <Standard_DomainError.hxx>
-
 #include <chrono>
-#include <csignal>
 #include <thread>
+#include <vector>
 
 namespace suture::occ {
 namespace {
 
 using namespace std::chrono_literals;
 
-TEST(RunIsolated, BringsTheBytesBackAlsoManyOfThem) {
+Result<std::string> ask(const std::string& request, std::chrono::milliseconds limit = 60s,
+                        const Progress& progress = {}) {
+    return run_isolated("OCCT's filling", SUTURE_ISOLATED, request, limit, progress);
+}
+
+TEST(RunIsolated, BringsTheBytesThereAndBackAlsoManyOfThem) {
     std::string large(3'000'000, 'x');
     large[1'234'567] = '\0';
-    const auto result =
-        run_isolated("copying", [&] { return Result<std::string>(large); }, 60s, {});
+    const auto result = ask(large);
     ASSERT_TRUE(result) << result.error().message;
     EXPECT_EQ(*result, large);
 }
 
 TEST(RunIsolated, ReportsACrashBySignalName) {
-    const auto result = run_isolated("OCCT's filling",
-                                     []() -> Result<std::string> {
-                                         std::signal(SIGSEGV, SIG_DFL);
-                                         std::raise(SIGSEGV);
-                                         return std::string();
-                                     },
-                                     60s, {});
+    const auto result = ask("crash");
     ASSERT_FALSE(result);
     EXPECT_EQ(result.error().code, ErrorCode::Internal);
     EXPECT_EQ(result.error().message, "OCCT's filling crashed (Segmentation fault)");
 }
 
+TEST(RunIsolated, NamesAProgramThatIsNotThere) {
+    const auto result = run_isolated("OCCT's filling", "/none/such", "", 60s, {});
+    ASSERT_FALSE(result);
+    EXPECT_NE(result.error().message.find("/none/such"), std::string::npos);
+}
+
 TEST(RunIsolated, EndsAHangAtTheLimit) {
     const auto start = std::chrono::steady_clock::now();
-    const auto result = run_isolated("OCCT's filling",
-                                     []() -> Result<std::string> {
-                                         for (;;) {
-                                             std::this_thread::sleep_for(1s);
-                                         }
-                                     },
-                                     300ms, {});
+    const auto result = ask("hang", 300ms);
     ASSERT_FALSE(result);
     EXPECT_NE(result.error().message.find("no answer within"), std::string::npos);
     EXPECT_LT(std::chrono::steady_clock::now() - start, 5s * SUTURE_TEST_SLOWDOWN);
@@ -59,28 +55,33 @@ TEST(RunIsolated, StopsWhenCancelled) {
         std::this_thread::sleep_for(200ms);
         source.request_stop();
     });
-    const auto result = run_isolated(
-        "filling",
-        []() -> Result<std::string> {
-            std::this_thread::sleep_for(60s);
-            return std::string();
-        },
-        120s, progress);
+    const auto result = ask("hang", 120s, progress);
     ASSERT_FALSE(result);
     EXPECT_EQ(result.error().code, ErrorCode::Cancelled);
 }
 
 TEST(RunIsolated, PassesRefusalsAndOcctExceptionsOn) {
-    const auto refused = run_isolated(
-        "filling", []() -> Result<std::string> { return fail(ErrorCode::Refused, "edge 7"); }, 60s,
-        {});
+    const auto refused = ask("refuse");
     ASSERT_FALSE(refused);
     EXPECT_EQ(refused.error().code, ErrorCode::Refused);
     EXPECT_EQ(refused.error().message, "edge 7");
-    const auto thrown = run_isolated(
-        "filling", []() -> Result<std::string> { throw Standard_DomainError("far"); }, 60s, {});
+    const auto thrown = ask("throw");
     ASSERT_FALSE(thrown);
     EXPECT_NE(thrown.error().message.find("Standard_DomainError"), std::string::npos);
+}
+
+TEST(RunIsolated, AnswersManyThreadsAtOnce) {
+    std::vector<std::string> answers(8);
+    {
+        std::vector<std::jthread> threads;
+        for (std::size_t i = 0; i < answers.size(); ++i) {
+            threads.emplace_back(
+                [&, i] { answers[i] = ask(std::string(100'000 + i, 'a')).value_or("none"); });
+        }
+    }
+    for (std::size_t i = 0; i < answers.size(); ++i) {
+        EXPECT_EQ(answers[i].size(), 100'000 + i);
+    }
 }
 
 }  // namespace

@@ -6,7 +6,7 @@
 #include <TopoDS_Face.hxx>
 #include <gp_Pnt.hxx>
 
-#include <cstddef>
+#include <string>
 #include <vector>
 
 namespace suture {
@@ -29,19 +29,22 @@ struct PlateSide {
     TopoDS_Edge edge;
     TopoDS_Face face;
     GeomAbs_Shape constraint = GeomAbs_C0;
+    std::string name;  ///< for messages
 };
 
-struct MadePlate {
-    enum class Outcome { Done, NoSurface, NoFace, LostEdge };
-    Outcome outcome = Outcome::Done;
-    std::size_t lost = 0;  ///< the side whose edge is lost
-    /// OCCT's face, and after it the sides' edges as OCCT copied them, with their curves on it.
-    TopoDS_Compound shape;
+/// What the program `suture_occt_filling` is asked for: OCCT's filling, in a process of its own.
+struct PlateRequest {
+    PlateArguments arguments;
+    std::vector<PlateSide> sides;
+    std::vector<gp_Pnt> through;
 };
 
-/// OCCT's filling, the only code that calls its libraries of offsets and fillets: a module of its
-/// own, loaded only by runs that ask for it.
-using MakePlate = MadePlate(const std::vector<PlateSide>& sides, const std::vector<gp_Pnt>& through,
-                            const PlateArguments& arguments);
+[[nodiscard]] std::string packed(const PlateRequest& request);
+[[nodiscard]] PlateRequest unpacked_request(const std::string& bytes);
+
+/// The answer: OCCT's face, and after it the sides' edges as OCCT copied them, with their curves on
+/// it.
+[[nodiscard]] std::string packed(const TopoDS_Compound& made);
+[[nodiscard]] TopoDS_Shape unpacked_shape(const std::string& bytes);
 
 }  // namespace suture
