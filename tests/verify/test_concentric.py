@@ -64,8 +64,20 @@ class Concentric(unittest.TestCase):
     def test_caps_the_u_bend(self):
         self.cap(CAD / "ubend2.stp", None)
 
-    def test_caps_the_wing(self):
-        self.cap(CAD / "simple_wing.stp", None, "--all-loops")
+    def test_puts_no_cap_on_the_back_of_the_sheet_in_the_wing(self):
+        model = CAD / "simple_wing.stp"
+        if not model.exists():
+            self.skipTest(f"needs {model}")
+        with tempfile.TemporaryDirectory() as folder:
+            command = [SUTURE, "fill", model, "-o", Path(folder) / "capped.step", "--method", "concentric",
+                       "--continuity", "G0", "--all-loops", "--json"]  # fmt: skip
+            done = subprocess.run(
+                [*map(str, command)], capture_output=True, text=True, timeout=limit(120), check=False
+            )
+        self.assertEqual(done.returncode, 4, done.stderr)
+        hole = json.loads(done.stdout)["holes"][0]
+        self.assertEqual(hole["status"], "refused")
+        self.assertIn("lies_on_face", {finding["kind"] for finding in hole["findings"]})
 
 
 if __name__ == "__main__":
