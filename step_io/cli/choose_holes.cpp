@@ -85,7 +85,7 @@ std::string what_else(const std::vector<PartLoops>& parts) {
                             counted(rims, "rim"));
     }
     if (seams > 0) {
-        text += fmt::format("; it has {} (--sew-tolerance with a larger value closes them)",
+        text += fmt::format("; it has {} (--sew-tolerance with a larger value may close them)",
                             counted(seams, "unsewn seam"));
     }
     if (others > 0) {

@@ -76,9 +76,7 @@ Result<Outcome> convert(Run& run, const Command& command, const ConvertOptions& 
     outcome.verdict =
         fmt::format("wrote {} ({})", options.output.string(), io::to_string(options.format));
     if (model->sewing.changed) {
-        outcome.verdict += fmt::format("; {} sewn at {} mm, {} left",
-                                       counted(model->sewing.loose_faces, "loose face"),
-                                       short_number(model->sewing.tolerance),
+        outcome.verdict += fmt::format("; {}, {} left", text_of(model->sewing),
                                        counted(model->sewing.free_edges_after, "free edge"));
     }
     outcome.document = {
@@ -136,9 +134,10 @@ std::shared_ptr<Command> add_convert(CLI::App& app) {
     add_input(*command);
     CLI::App& sub = *command->app;
     sub.add_option("OUT", options->output, "The file to write")->required()->option_text(" ");
-    sub.add_flag("--sew", options->load.sew, "Sew loose faces into shells and solids");
+    sub.add_flag("--sew", options->load.sew,
+                 "Sew faces and shells that lie on each other, into solids where they close");
     sub.add_option("--sew-tolerance", options->load.sew_tolerance,
-                   "Sew loose faces whose edges lie closer than this (default: from the model)")
+                   "Sew edges that lie closer than this (default: from the model)")
         ->option_text("MM");
     add_mesh(sub, options->mesh);
     sub.add_flag("--force", options->force, "Allow OUT to be IN itself");

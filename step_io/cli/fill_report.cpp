@@ -162,9 +162,7 @@ std::string verdict_of(const Counts& counts, const FillSummary& summary,
     std::string text;
     const int wanted = counts.filled + counts.refused;
     if (wanted == 0) {
-        text = fmt::format("no hole to fill; {} sewn at {} mm",
-                           counted(summary.sewing.loose_faces, "loose face"),
-                           short_number(summary.sewing.tolerance));
+        text = "no hole to fill; " + text_of(summary.sewing);
     } else {
         text = fmt::format("filled {} of {}", counts.filled, counted(wanted, "hole"));
         const Tolerance& tolerance = settings.request.tolerance;

@@ -1,6 +1,7 @@
 #include "cli/load.h"
 #include "cli/options.h"
 #include "cli/report_json.h"
+#include "suture/check/validity.h"
 #include "suture/ribbon/extract.h"
 
 #include <fmt/ranges.h>
@@ -16,8 +17,8 @@ constexpr CommandHelp kHelp{
     "List the holes of a model",
     "List the holes of a model: which edges and faces bound them, how large they are, and how "
     "their corners meet. Nothing is changed. Rims of open sheets and unsewn seams are listed "
-    "apart: they are no holes. Loose faces (IGES) are sewn first, in memory; edge and face "
-    "numbers are then those of the sewn model.",
+    "apart: they are no holes. Faces and shells that lie on each other are sewn first, in memory; "
+    "edge and face numbers are then those of the sewn model.",
     "  suture inspect part.step             the holes of a model\n"
     "  suture inspect part.step --json      the same for a program\n"
     "  suture inspect wing.igs --sew-tolerance 0.05\n"
@@ -137,9 +138,7 @@ std::string verdict_of(const LoopTables& tables, const LoadedModel& model) {
         verdict += ", " + counted(tables.others(), "other loop");
     }
     if (model.sewing.changed) {
-        verdict += fmt::format("; {} sewn at {} mm in memory",
-                               counted(model.sewing.loose_faces, "loose face"),
-                               short_number(model.sewing.tolerance));
+        verdict += "; " + text_of(model.sewing) + " in memory";
     }
     return verdict;
 }
@@ -158,7 +157,7 @@ Result<Outcome> inspect(Run& run, const Command& command, const LoadOptions& opt
         return tl::unexpected(parts.error());
     }
     LoopTables tables;
-    std::vector<std::string> notes;
+    std::vector<std::string> notes = notes_of(model->sewing);
     Json holes = Json::array();
     for (const PartLoops& part : *parts) {
         for (const BoundaryLoop& loop : part.loops) {
@@ -171,6 +170,9 @@ Result<Outcome> inspect(Run& run, const Command& command, const LoadOptions& opt
     Outcome outcome;
     outcome.exit_code = tables.holes() > 0 ? kDone : kNothingToDo;
     outcome.verdict = verdict_of(tables, *model);
+    if (tables.holes() == 0 && !measure_validity(model->whole, ValidityDepth::Valid).valid) {
+        outcome.verdict += "; but the model is NOT valid: `suture check` says why";
+    }
     outcome.document = {{"model", json_of(model->file)},
                         {"sewing", json_of(model->sewing)},
                         {"holes", holes},

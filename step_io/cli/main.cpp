@@ -5,8 +5,11 @@
 #include "cli/patch.h"
 #include "cli/report_html.h"
 #include "cli/report_json.h"
+#include "cli/sew.h"
 #include "cli/text_file.h"
 #include "cli/usage.h"
+#include "files/format.h"
+#include "files/read.h"
 #include "suture/occ/guard.h"
 
 #include <fmt/format.h>
@@ -191,6 +194,12 @@ Error error_of(const Command& command, const Ending& ending) {
     return {ErrorCode::Cancelled, fmt::format("interrupted while {}{}", ending.what, written)};
 }
 
+/// Of STEP files OCCT can read some that it crashes on when it keeps the names of faces.
+bool is_step(const std::filesystem::path& file) {
+    const Result<io::Format> format = io::format_of_content(file);
+    return format && *format == io::Format::Step;
+}
+
 void print_to_stdout(std::string_view text) {
     [[maybe_unused]] const ssize_t written = write(STDOUT_FILENO, text.data(), text.size());
 }
@@ -198,9 +207,15 @@ void print_to_stdout(std::string_view text) {
 int supervised(Command& command) {
     const std::chrono::milliseconds read_limit(
         static_cast<std::int64_t>(std::ceil(1000.0 * command.common.read_timeout)));
-    const Ending ending = supervise(read_limit, [&](const StageLine& line, std::stop_token cancel) {
+    const auto job = [&](const StageLine& line, std::stop_token cancel) {
         return run_job(command, line, std::move(cancel));
-    });
+    };
+    Ending ending = supervise(read_limit, job);
+    if (ending.kind == Ending::Kind::Crashed && ending.stage == Stage::Reading &&
+        is_step(command.input)) {
+        io::forget_face_names();
+        ending = supervise(read_limit, job);
+    }
     if (ending.kind == Ending::Kind::Exited) {
         return ending.code;
     }
@@ -258,7 +273,7 @@ int run_program(const std::vector<std::string>& words) {
     app.require_subcommand(1);
     app.formatter(std::make_shared<HelpFormatter>());  // the commands inherit it
     const std::vector<std::shared_ptr<Command>> commands{
-        add_inspect(app), add_fill(app),    add_check(app), add_convert(app),
+        add_inspect(app), add_fill(app),    add_check(app), add_convert(app),  add_sew(app),
         add_patch(app),   add_methods(app), add_demo(app),  add_algebraic(app)};
     if (const std::optional<int> ended = parse(app, words)) {
         return *ended;

@@ -175,10 +175,10 @@ CLI::Option* add_list(CLI::App& app, const std::string& names, std::string& list
 void add_sewing(Command& command, LoadOptions& options) {
     command.app
         ->add_option("--sew-tolerance", options.sew_tolerance,
-                     "Sew loose faces whose edges lie closer than this (default: from the model)")
+                     "Sew edges that lie closer than this (default: from the model)")
         ->option_text("MM");
     command.app->add_flag_callback(
-        "--no-sew", [&options] { options.sew = false; }, "Leave loose faces as they are");
+        "--no-sew", [&options] { options.sew = false; }, "Leave faces and shells as they are");
 }
 
 Result<void> validate_sewing(const LoadOptions& options) {

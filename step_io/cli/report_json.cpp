@@ -80,16 +80,26 @@ Json json_of(const io::ModelFile& file) {
     if (!file.schema.empty()) {
         json["step_schema"] = file.schema;
     }
+    if (!file.notes.empty()) {
+        json["notes"] = file.notes;
+    }
     return json;
 }
 
 Json json_of(const SewingFacts& sewing) {
+    Json left = Json::array();
+    for (const LeftOpen& edge : sewing.left) {
+        left.push_back({{"gap", edge.gap}, {"length", edge.length}, {"reason", edge.reason}});
+    }
     return {{"changed", sewing.changed},
             {"loose_faces", sewing.loose_faces},
+            {"sewn_edges", sewing.sewn_edges},
+            {"walls", sewing.walls},
             {"tolerance", sewing.tolerance},
             {"largest_gap", sewing.largest_gap},
             {"free_edges_before", sewing.free_edges_before},
-            {"free_edges_after", sewing.free_edges_after}};
+            {"free_edges_after", sewing.free_edges_after},
+            {"left", left}};
 }
 
 Json json_of(const Validity& validity) {

@@ -17,13 +17,26 @@ namespace {
 constexpr std::streamoff kOcctEnding = 9;
 constexpr std::streamoff kFreecadEnding = 12;
 
-/// The last line says which of the shapes is the file's: orientation and number, then the number of
-/// its location. It is the first thing that a cut takes away.
-bool has_text_ending(const std::string& bytes) {
-    std::string_view text = bytes;
+/// Takes the last line that is not blank off a text.
+std::string take_last_line(std::string_view& text) {
     text.remove_suffix(text.size() - std::min(text.size(), text.find_last_not_of(" \r\n\t") + 1));
     const std::size_t line = text.find_last_of("\n\r");
-    std::istringstream last{std::string(text.substr(line == text.npos ? 0 : line + 1))};
+    const std::size_t begin = line == text.npos ? 0 : line + 1;
+    std::string last(text.substr(begin));
+    text.remove_suffix(text.size() - begin);
+    return last;
+}
+
+/// The last line says which of the shapes is the file's: orientation and number, then the number of
+/// its location. It is the first thing that a cut takes away. DRAW's `save` writes one line with a
+/// 0 after it: the end of its own list.
+bool has_text_ending(const std::string& bytes) {
+    std::string_view text = bytes;
+    std::string line = take_last_line(text);
+    if (line == "0") {
+        line = take_last_line(text);
+    }
+    std::istringstream last(line);
     char orientation = 0;
     int shape = 0;
     int location = -1;

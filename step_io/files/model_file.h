@@ -42,6 +42,8 @@ struct ModelFile {
     std::string unit = "MM";  ///< of the file, as OCCT names it: MM, M, INCH, ...
     double precision = 0.0;   ///< the file's own accuracy in millimetres, 0 if it states none
     Origin origin;
+    std::vector<std::string> notes;          ///< what reading had to leave out, a sentence each
+    std::vector<std::string> missing_files;  ///< STEP: files of parts that are not there
 
     /// Every part that has a face, each once, in the order of the assembly tree.
     [[nodiscard]] std::vector<Part> parts() const;

@@ -1,5 +1,6 @@
 #include "files/read.h"
 
+#include "files/bad_faces.h"
 #include "files/brep.h"
 #include "files/document.h"
 #include "files/file_bytes.h"
@@ -10,9 +11,13 @@
 #include "files/static_scope.h"
 #include "suture/occ/guard.h"
 
+#include <fmt/ranges.h>
+
 namespace suture::io {
 
 namespace {
+
+bool keep_face_names = true;
 
 Result<void> read_brep(ModelFile& model, const std::string& bytes) {
     const Result<TopoDS_Shape> shape = model.format == Format::BrepText
@@ -29,7 +34,7 @@ Result<void> read_brep(ModelFile& model, const std::string& bytes) {
 Result<void> read_into(ModelFile& model, const std::string& bytes, const Progress& progress) {
     switch (model.format) {
         case Format::Step:
-            return read_step(model, bytes, progress);
+            return read_step(model, bytes, progress, keep_face_names);
         case Format::Iges:
             return read_iges(model, bytes, progress);
         default:
@@ -46,7 +51,24 @@ Error unreadable(const Error& error, const std::filesystem::path& file) {
     return {ErrorCode::Unreadable, fmt::format("{} cannot be read: {}", file.string(), first_line)};
 }
 
+/// Why there is nothing to work on.
+Error no_face(const ModelFile& model) {
+    std::string text = fmt::format("{} holds no face", model.path.string());
+    if (!model.missing_files.empty()) {
+        text += fmt::format(": its parts lie in other files that are not there: {}",
+                            fmt::join(model.missing_files, ", "));
+    }
+    for (const std::string& note : model.notes) {
+        text += "; " + note;
+    }
+    return {ErrorCode::Unreadable, std::move(text)};
+}
+
 }  // namespace
+
+void forget_face_names() {
+    keep_face_names = false;
+}
 
 Result<ModelFile> read_model(const std::filesystem::path& file, const Progress& progress) {
     progress(0.0, "read");
@@ -66,6 +88,7 @@ Result<ModelFile> read_model(const std::filesystem::path& file, const Progress& 
         return read_into(model, *bytes, progress).map([&] {
             join_bodies(model.document);
             name_parts(model.document, file.stem().string());
+            leave_out_bad_faces(model);
         });
     });
     if (progress.cancelled()) {
@@ -75,7 +98,11 @@ Result<ModelFile> read_model(const std::filesystem::path& file, const Progress& 
         return tl::unexpected(unreadable(done.error(), file));
     }
     if (!has_face(model.shape())) {
-        return fail(ErrorCode::Unreadable, "{} holds no face", file.string());
+        return tl::unexpected(no_face(model));
+    }
+    if (!model.missing_files.empty()) {
+        model.notes.push_back(fmt::format("parts lie in other files that are not there: {}",
+                                          fmt::join(model.missing_files, ", ")));
     }
     return model;
 }

@@ -8,11 +8,17 @@
 
 namespace suture::io {
 
-/// Reads STEP, IGES, BREP or FreeCAD's binary BREP; the type is told by the content.
+/// STEP files are read without the names of their faces from now on, by this process and those that
+/// it starts: OCCT's reader crashes on some files with them.
+void forget_face_names();
+
+/// Reads STEP, IGES, BREP or FreeCAD's binary BREP; the type is told by the content. Faces with an
+/// edge that has no curve are left out; ModelFile::notes names them.
 ///
 /// OCCT's reader can crash or hang on a damaged file. Callers who must survive that run the whole
 /// job under supervise() (cli/supervise.h) or in occ::run_isolated.
-/// Refuses  (Unreadable) what OCCT cannot read, and a file without any face.
+/// Refuses  (Unreadable) what OCCT cannot read, and a file without any face; where the parts of an
+///          assembly lie in other files that are not there, these are named.
 [[nodiscard]] Result<ModelFile> read_model(const std::filesystem::path& file,
                                            const Progress& progress);
 

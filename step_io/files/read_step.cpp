@@ -11,12 +11,14 @@
 #include <Interface_InterfaceModel.hxx>
 #include <STEPCAFControl_Reader.hxx>
 #include <STEPConstruct_UnitContext.hxx>
+#include <StepBasic_DocumentFile.hxx>
 #include <StepData_StepModel.hxx>
 #include <StepGeom_GeomRepContextAndGlobUnitAssCtxAndGlobUncertaintyAssCtx.hxx>
 #include <StepRepr_GlobalUncertaintyAssignedContext.hxx>
 #include <StepRepr_GlobalUnitAssignedContext.hxx>
 #include <TCollection_HAsciiString.hxx>
 
+#include <algorithm>
 #include <sstream>
 
 namespace suture::io {
@@ -88,15 +90,47 @@ IFSelect_ReturnStatus read_entities(STEPCAFControl_Reader& reader,
     return reader.ChangeReader().ReadStream(path.c_str(), stream);
 }
 
+/// Files that the assembly takes its parts from and that do not stand beside it.
+std::vector<std::string> missing_files(const Interface_InterfaceModel& entities,
+                                       const std::filesystem::path& file) {
+    std::vector<std::string> missing;
+    for (int i = 1; i <= entities.NbEntities(); ++i) {
+        const auto document = occ::cast<StepBasic_DocumentFile>(entities.Value(i));
+        if (document.IsNull()) {
+            continue;
+        }
+        const std::string name = text_of(document->Id());
+        std::error_code ignored;
+        if (!name.empty() && !std::filesystem::exists(file.parent_path() / name, ignored)) {
+            missing.push_back(name);
+        }
+    }
+    std::sort(missing.begin(), missing.end());
+    missing.erase(std::unique(missing.begin(), missing.end()), missing.end());
+    return missing;
+}
+
+Result<void> transfer_error(const ModelFile& model) {
+    if (!model.missing_files.empty()) {
+        return {};  // read_model says which
+    }
+    return fail(ErrorCode::Unreadable, "{} holds no shape that OCCT can read", model.path.string());
+}
+
 }  // namespace
 
-Result<void> read_step(ModelFile& model, std::string_view text, const Progress& progress) {
+Result<void> read_step(ModelFile& model, std::string_view text, const Progress& progress,
+                       bool face_names) {
     if (Result<void> whole = check_step_text(text, model.path); !whole) {
         return whole;
     }
     StaticScope scope;
     scope.set("xstep.cascade.unit", "MM");
-    scope.set("read.stepcaf.subshapes.name", 1);
+    scope.set("read.stepcaf.subshapes.name", face_names ? 1 : 0);
+    if (!face_names) {
+        model.notes.emplace_back(
+            "the names of faces are lost: OCCT's reader crashes on this file with them");
+    }
     STEPCAFControl_Reader reader;
     reader.SetSHUOMode(true);    // colours of single instances
     reader.SetGDTMode(false);    // what the writer would not write again
@@ -115,11 +149,9 @@ Result<void> read_step(ModelFile& model, std::string_view text, const Progress& 
     constexpr double kParsed = 0.25;  // of the time, on the files measured
     const auto indicator =
         occ::make<ProgressIndicator>(progress, std::string("read"), kParsed, 1.0);
-    if (!reader.Transfer(model.document, indicator->Start()) && !progress.cancelled()) {
-        return fail(ErrorCode::Unreadable, "{} holds no shape that OCCT can read",
-                    model.path.string());
-    }
-    return {};
+    const bool transferred = reader.Transfer(model.document, indicator->Start());
+    model.missing_files = missing_files(*entities, model.path);
+    return transferred || progress.cancelled() ? Result<void>() : transfer_error(model);
 }
 
 }  // namespace suture::io

@@ -18,6 +18,7 @@ ALLOWED = {
     "ribbon": ["base", "spline", "model", "occ", "detect"],
     "occt_filling": CORE + ["occ", "detect", "ribbon"],
     "faces": ["base", "spline", "model", "occ", "detect", "ribbon"],
+    "sew": ["base", "spline", "model", "occ", "detect", "faces"],
     "check": ["base", "occ"],
     "judge": ["base", "spline", "model", "occ", "check"],
     "choose": CORE + ["occ", "detect", "ribbon", "occt_filling", "faces", "check", "judge"],

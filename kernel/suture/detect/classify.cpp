@@ -6,6 +6,7 @@
 #include <GProp_GProps.hxx>
 
 #include <algorithm>
+#include <limits>
 
 namespace suture {
 
@@ -13,6 +14,9 @@ namespace {
 
 /// Areas decide only between factors: a hundredth is enough.
 constexpr double kAreaPrecision = 1e-2;
+
+/// A gap of more than this share of an edge beside it is what that edge bounds.
+constexpr double kBridged = 0.25;
 
 double shell_area(const ShellGraph& graph, int component) {
     double area = 0.0;
@@ -28,14 +32,23 @@ double shell_area(const ShellGraph& graph, int component) {
 
 /// What the edges that lie on others say; Ambiguous with a reason where a crack in its own shell
 /// runs into the loop, Ambiguous without one where they say nothing.
+///
+/// The two long edges of a narrow hole lie as near to each other as those of a gap. The hole has
+/// short edges between them, which lie on no other edge.
 Verdict by_seams(const ShellGraph& graph, int component, const std::vector<EdgePartner>& partners) {
     Verdict verdict;
+    double shortest = std::numeric_limits<double>::max();
+    for (const EdgePartner& partner : partners) {
+        if (!is_seam(partner) && !is_fold(partner)) {
+            shortest = std::min(shortest, partner.length);
+        }
+    }
     std::size_t seams = 0;
     std::size_t cracks = 0;
     std::size_t folds = 0;
     for (const EdgePartner& partner : partners) {
         folds += is_fold(partner) ? 1 : 0;
-        if (is_seam(partner)) {
+        if (is_seam(partner) && partner.gap <= kBridged * shortest) {
             ++seams;
             cracks += graph.component[graph.uses[partner.partner].face] == component ? 1 : 0;
             verdict.gap = std::max(verdict.gap, partner.gap);
@@ -119,6 +132,11 @@ Verdict classify_loop(const ShellGraph& graph, const RawLoop& loop, const LoopSh
         return {LoopKind::Ambiguous, 0.0, "its shell has only one side, like a Moebius band"};
     }
     verdict = by_turning(graph, loop, shape);
+    if (verdict.kind != LoopKind::Hole &&
+        graph.solid[graph.uses[loop.steps.front().use].face] >= 0) {
+        verdict.kind = LoopKind::Hole;
+        verdict.reason += "; but the file says that its shell bounds a solid";
+    }
     const auto touching = std::count_if(partners.begin(), partners.end(), is_seam);
     if (touching > 0) {
         verdict.reason += fmt::format("; {} of its edges lie on another shell", touching);

@@ -117,8 +117,11 @@ std::vector<BoundaryLoop> find(const TopoDS_Shape& shape, const occ::Numbering& 
     std::vector<BoundaryLoop> loops;
     std::vector<LoopShape> shapes;
     std::vector<int> components;
+    std::vector<int> solids;
     for (Found& next : found) {
-        const int component = graph.component[graph.uses[next.raw.steps.front().use].face];
+        const int face = graph.uses[next.raw.steps.front().use].face;
+        const int component = graph.component[face];
+        solids.push_back(std::max(0, graph.solid[face]));
         next.loop.id = static_cast<int>(loops.size()) + 1;
         next.loop.shell_faces =
             static_cast<int>(std::count(graph.component.begin(), graph.component.end(), component));
@@ -126,7 +129,7 @@ std::vector<BoundaryLoop> find(const TopoDS_Shape& shape, const occ::Numbering& 
         shapes.push_back(std::move(next.shape));
         components.push_back(component);
     }
-    find_islands(loops, shapes, components);
+    find_islands(loops, shapes, components, solids);
     return loops;
 }
 

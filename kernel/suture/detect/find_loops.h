@@ -12,7 +12,8 @@ namespace suture {
 
 /// All boundary loops of every shell of a shape, classified.
 ///
-/// Input    shape: a compound, solid, shell or face; loose faces already sewn (see sew_loose.h);
+/// Input    shape: a compound, solid, shell or face; loose faces already sewn (see
+/// sew/sew_shape.h);
 ///          numbering: the model's, which the shape is part of.
 /// Result   loops ordered by their smallest edge number; seam edges and degenerated edges are no
 ///          free edges; loops that touch in a vertex are separated.

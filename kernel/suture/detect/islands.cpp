@@ -168,6 +168,41 @@ bool band_is_straighter(const Circle& from, const Circle& to,
     return band && *band - disc > kStraighter;
 }
 
+/// How far each neighbour has to go on, in the half-plane of the axis, until they meet; nothing:
+/// they do not meet ahead of both.
+std::optional<std::pair<double, double>> ways_to_meeting(const Circle& a, const Circle& b,
+                                                         const std::vector<LoopShape>& shapes) {
+    const Eigen::Vector3d& axis = shapes[a.loop].axis;
+    const double side = axis.dot(shapes[b.loop].axis) > 0.0 ? 1.0 : -1.0;
+    const Eigen::Vector2d from_a(a.onward_out, a.onward_axis);
+    const Eigen::Vector2d from_b(b.onward_out, side * b.onward_axis);
+    const Eigen::Vector2d between(b.radius - a.radius, axis.dot(b.centre - a.centre));
+    const auto cross = [](const Eigen::Vector2d& x, const Eigen::Vector2d& y) {
+        return x.x() * y.y() - x.y() * y.x();
+    };
+    const double sine = cross(from_a, from_b);
+    if (std::abs(sine) <= kSame) {
+        return std::nullopt;
+    }
+    const double way_a = cross(between, from_b) / sine;
+    const double way_b = cross(between, from_a) / sine;
+    if (way_a <= 0.0 || way_b <= 0.0) {
+        return std::nullopt;
+    }
+    return std::pair(way_a, way_b);
+}
+
+/// A fillet of one radius between the neighbours of two circles about one axis is missing: where
+/// they meet is equally far from both. Discs in the circles would leave two bodies, or a step.
+bool bound_a_fillet(const Circle& a, const Circle& b, const std::vector<LoopShape>& shapes) {
+    if (!goes_to(a, b, shapes)) {
+        return false;
+    }
+    const auto ways = ways_to_meeting(a, b, shapes);
+    return ways && std::abs(ways->first - ways->second) <=
+                       kSame * std::max(shapes[a.loop].diameter, shapes[b.loop].diameter);
+}
+
 std::string band_reason(const Surface& surface) {
     return fmt::format(
         "two loops around one {}, which goes on from both towards the other: the band between them "
@@ -184,9 +219,8 @@ void find_bands_of_one_surface(std::vector<BoundaryLoop>& loops,
     }
 }
 
-void find_bands(std::vector<BoundaryLoop>& loops, const std::vector<LoopShape>& shapes,
-                const std::vector<int>& component,
-                const std::vector<std::optional<Surface>>& surfaces) {
+std::vector<Circle> circles_in_question(const std::vector<BoundaryLoop>& loops,
+                                        const std::vector<LoopShape>& shapes) {
     std::vector<Circle> circles;
     for (int i = 0; i < static_cast<int>(loops.size()); ++i) {
         const std::optional<Circle> circle = as_circle(shapes[i], i);
@@ -194,6 +228,41 @@ void find_bands(std::vector<BoundaryLoop>& loops, const std::vector<LoopShape>& 
             circles.push_back(*circle);
         }
     }
+    return circles;
+}
+
+void find_fillets(std::vector<BoundaryLoop>& loops, const std::vector<LoopShape>& shapes,
+                  const std::vector<int>& solid) {
+    const std::vector<Circle> circles = circles_in_question(loops, shapes);
+    const auto nearest = [&](const Circle& from) {
+        const Circle* best = nullptr;
+        for (const Circle& other : circles) {
+            const int a = solid[static_cast<std::size_t>(from.loop)];
+            const int b = solid[static_cast<std::size_t>(other.loop)];
+            const bool different_bodies = a > 0 && b > 0 && a != b;
+            if (other.loop != from.loop && !different_bodies &&
+                bound_a_fillet(from, other, shapes) &&
+                (best == nullptr ||
+                 (other.centre - from.centre).norm() < (best->centre - from.centre).norm())) {
+                best = &other;
+            }
+        }
+        return best;
+    };
+    for (const Circle& a : circles) {
+        const Circle* b = nearest(a);
+        if (b != nullptr && b->loop > a.loop && nearest(*b) == &a) {
+            join(loops, {a.loop, b->loop}, LoopKind::Hole,
+                 "two circles about one axis whose neighbours meet equally far from both: the "
+                 "fillet between them is missing");
+        }
+    }
+}
+
+void find_bands(std::vector<BoundaryLoop>& loops, const std::vector<LoopShape>& shapes,
+                const std::vector<int>& component,
+                const std::vector<std::optional<Surface>>& surfaces) {
+    const std::vector<Circle> circles = circles_in_question(loops, shapes);
     const auto nearest = [&](const Circle& from) {
         int best = -1;
         for (int k = 0; k < static_cast<int>(circles.size()); ++k) {
@@ -232,7 +301,7 @@ void find_bands(std::vector<BoundaryLoop>& loops, const std::vector<LoopShape>& 
 }  // namespace
 
 void find_islands(std::vector<BoundaryLoop>& loops, const std::vector<LoopShape>& shapes,
-                  const std::vector<int>& component) {
+                  const std::vector<int>& component, const std::vector<int>& solid) {
     find_planar_islands(loops, shapes);
     std::vector<std::optional<Surface>> surfaces;
     for (std::size_t i = 0; i < loops.size(); ++i) {
@@ -240,6 +309,7 @@ void find_islands(std::vector<BoundaryLoop>& loops, const std::vector<LoopShape>
         surfaces.push_back(in_question ? common_surface(loops[i], shapes[i]) : std::nullopt);
     }
     find_bands_of_one_surface(loops, shapes, surfaces);
+    find_fillets(loops, shapes, solid);
     find_bands(loops, shapes, component, surfaces);
 }
 

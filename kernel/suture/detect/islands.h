@@ -11,8 +11,9 @@ namespace suture {
 /// about one axis whose neighbours go on to each other (docs/holes.md). Changes `islands_with`,
 /// `kind` and `reason`.
 ///
-/// Input  component: per loop, the shell that it bounds; shapes and component go with `loops`.
+/// Input  component: per loop, the shell that it bounds; solid: per loop, the number of the solid
+///        that this shell lies in, 0: in none; all go with `loops`.
 void find_islands(std::vector<BoundaryLoop>& loops, const std::vector<LoopShape>& shapes,
-                  const std::vector<int>& component);
+                  const std::vector<int>& component, const std::vector<int>& solid);
 
 }  // namespace suture

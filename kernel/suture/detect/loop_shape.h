@@ -20,7 +20,8 @@ struct LoopShape {
         Eigen::Vector3d::Zero();  ///< unit: the walk goes counterclockwise about it
     double length = 0.0;
     double diameter = 0.0;
-    double spanned_area = 0.0;  ///< of the cone over the loop from its centre
+    double spanned_area = 0.0;  ///< of the cone over the loop from its centre; of a flat
+                                ///< loop what it encloses
     double flatness = 0.0;      ///< largest distance of a point from the mean plane
     double turning = 0.0;       ///< seen with the material on the left: 2 pi around a flat disc,
                                 ///< -2 pi around a hole in a flat sheet

@@ -21,18 +21,6 @@ constexpr double kMiddle = 0.5;
 
 constexpr double kFar = std::numeric_limits<double>::max();
 
-/// Two faces leave a common edge to the same side when the angle between them is below 60 degrees.
-constexpr double kSameSide = 0.5;
-
-/// Away from the face, at right angles to the use.
-Eigen::Vector3d onward(const ShellGraph& graph, int use, double t) {
-    const UseGeometry geometry(graph.uses[use].edge, graph.faces[graph.uses[use].face]);
-    constexpr double kStep = 0.5 / kChords;
-    const Eigen::Vector3d chord =
-        geometry.at(std::min(1.0, t + kStep)).point - geometry.at(std::max(0.0, t - kStep)).point;
-    return chord.cross(geometry.at(t).normal).normalized();
-}
-
 /// The largest distance of an edge from one other edge.
 double whole_distance(const EdgeField& field, int edge, int other) {
     double largest = 0.0;
@@ -61,6 +49,14 @@ double nearest_fraction(const ShellGraph& graph, int use, const Eigen::Vector3d&
 }
 
 }  // namespace
+
+Eigen::Vector3d onward(const ShellGraph& graph, int use, double t) {
+    const UseGeometry geometry(graph.uses[use].edge, graph.faces[graph.uses[use].face]);
+    constexpr double kStep = 0.5 / kChords;
+    const Eigen::Vector3d chord =
+        geometry.at(std::min(1.0, t + kStep)).point - geometry.at(std::max(0.0, t - kStep)).point;
+    return chord.cross(geometry.at(t).normal).normalized();
+}
 
 std::vector<EdgePartner> find_partners(const ShellGraph& graph, const std::vector<int>& uses) {
     std::vector<TopoDS_Edge> edges;

@@ -2,6 +2,8 @@
 
 #include "suture/detect/shell_graph.h"
 
+#include <Eigen/Core>
+
 #include <TopoDS_Edge.hxx>
 
 #include <vector>
@@ -24,6 +26,14 @@ inline constexpr double kSeamShare = 2e-3;
 /// The same between two edges of one face, or where both faces leave to the same side: there a
 /// narrow slot or a thin wall is likelier than an open seam.
 inline constexpr double kTightSeamShare = 1e-5;
+
+/// Two faces leave a common edge to the same side when the angle between them is below 60 degrees.
+inline constexpr double kSameSide = 0.5;
+
+/// The unit direction away from the face, at right angles to the use.
+///
+/// Input  t in [0,1] along the use.
+[[nodiscard]] Eigen::Vector3d onward(const ShellGraph& graph, int use, double t);
 
 /// Input  uses: free edge uses, among which partners are looked for.
 /// Result per element of `uses`.

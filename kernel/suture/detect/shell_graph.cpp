@@ -12,8 +12,9 @@
 #include <TopoDS_Iterator.hxx>
 
 #include <algorithm>
+#include <functional>
 #include <limits>
-#include <numeric>
+#include <map>
 
 namespace suture {
 
@@ -113,13 +114,14 @@ Eigen::Vector3d into_face(const ShellGraph& graph, int use) {
     return middle.normal.cross(along).normalized();
 }
 
-/// Mates the uses of an edge that more than two faces share, the straightest pair first.
-void mate_straightest(ShellGraph& graph, std::vector<int> uses) {
+/// Mates the uses of an edge, the straightest pair first.
+/// Result  the odd one out, or -1.
+int mate_straightest(ShellGraph& graph, std::vector<int> uses) {
     while (uses.size() > 1) {
         std::size_t best_a = 0;
         std::size_t best_b = 1;
         double straightest = std::numeric_limits<double>::max();
-        for (std::size_t a = 0; a < uses.size(); ++a) {
+        for (std::size_t a = 0; uses.size() > 2 && a < uses.size(); ++a) {
             for (std::size_t b = a + 1; b < uses.size(); ++b) {
                 const double cosine = into_face(graph, uses[a]).dot(into_face(graph, uses[b]));
                 if (cosine < straightest) {
@@ -133,6 +135,30 @@ void mate_straightest(ShellGraph& graph, std::vector<int> uses) {
         graph.uses[uses[best_b]].mate = uses[best_a];
         uses.erase(uses.begin() + static_cast<std::ptrdiff_t>(best_b));
         uses.erase(uses.begin() + static_cast<std::ptrdiff_t>(best_a));
+    }
+    return uses.empty() ? -1 : uses.front();
+}
+
+/// Bodies can have an edge in common: each shell is mated by itself, then what is single in its
+/// shell.
+void mate_edge(ShellGraph& graph, const std::vector<int>& uses) {
+    std::map<int, std::vector<int>> by_shell;
+    for (const int use : uses) {
+        by_shell[graph.shell[graph.uses[use].face]].push_back(use);
+    }
+    std::vector<int> single;
+    for (const auto& [shell, own] : by_shell) {
+        if (own.size() == 1) {
+            single.push_back(own.front());
+        } else {
+            mate_straightest(graph, own);
+        }
+    }
+    const int last = mate_straightest(graph, single);
+    if (last >= 0 && single.size() == 1) {
+        // Also where the edge has two pcurves on the face's surface: faces on both sides of a
+        // seam can share that surface, and this one uses one of them.
+        graph.uses[last].free = true;
     }
 }
 
@@ -148,17 +174,47 @@ void mate_uses(ShellGraph& graph) {
         uses_of[index].push_back(i);
     }
     for (const std::vector<int>& uses : uses_of) {
-        if (uses.size() == 1) {
-            // Also where the edge has two pcurves on the face's surface: faces on both sides of a
-            // seam can share that surface, and this one uses one of them.
-            graph.uses[uses.front()].free = true;
-        } else if (uses.size() == 2) {
-            graph.uses[uses[0]].mate = uses[1];
-            graph.uses[uses[1]].mate = uses[0];
-        } else {
-            mate_straightest(graph, uses);
-        }
+        mate_edge(graph, uses);
     }
+}
+
+/// Faces shell by shell, and those that lie in none, in TopExp's order of what comes first.
+void collect_faces(const TopoDS_Shape& shape, ShellGraph& graph) {
+    TopTools_IndexedMapOfShape shells;
+    TopTools_IndexedMapOfShape solids;
+    TopTools_IndexedMapOfShape loose;
+    int solid = -1;
+    const auto take = [&](const TopoDS_Shape& face, int shell) {
+        graph.faces.push_back(TopoDS::Face(face));
+        graph.shell.push_back(shell);
+        graph.solid.push_back(solid);
+    };
+    const std::function<void(const TopoDS_Shape&)> visit = [&](const TopoDS_Shape& part) {
+        if (part.ShapeType() == TopAbs_FACE) {
+            if (!loose.Contains(part)) {
+                loose.Add(part);
+                take(part, -1);
+            }
+        } else if (part.ShapeType() == TopAbs_SHELL) {
+            if (shells.Contains(part)) {
+                return;
+            }
+            const int number = shells.Add(part);
+            TopTools_IndexedMapOfShape faces;
+            TopExp::MapShapes(part, TopAbs_FACE, faces);
+            for (int i = 1; i <= faces.Extent(); ++i) {
+                take(faces(i), number);
+            }
+        } else if (part.ShapeType() < TopAbs_SHELL) {
+            const int around = solid;
+            solid = part.ShapeType() == TopAbs_SOLID ? solids.Add(part) : around;
+            for (TopoDS_Iterator child(part); child.More(); child.Next()) {
+                visit(child.Value());
+            }
+            solid = around;
+        }
+    };
+    visit(shape);
 }
 
 /// Finds the connected shells and turns the faces of each to agree, as far as they can.
@@ -212,7 +268,7 @@ void orient_components(ShellGraph& graph) {
 
 ShellGraph make_shell_graph(const TopoDS_Shape& shape) {
     ShellGraph graph;
-    graph.faces = occ::faces_of(shape);
+    collect_faces(shape, graph);
     for (int i = 0; i < static_cast<int>(graph.faces.size()); ++i) {
         add_face(graph, i);
     }

@@ -20,7 +20,7 @@ struct Coedge {
     int previous = -1;
     int mate = -1;  ///< the other use of the same edge, -1: there is none
     bool degenerated = false;
-    bool free = false;  ///< the only use of its edge by the shape, and no seam
+    bool free = false;  ///< the only use of its edge by its shell, and no other shell is open there
 };
 
 /// One of the two ends of an edge use.
@@ -33,7 +33,10 @@ struct UseEnd {
 
 /// The faces of a shape and how they hang together, across edges and around vertices.
 struct ShellGraph {
-    std::vector<TopoDS_Face> faces;  ///< in TopExp's order, oriented as in the shape
+    std::vector<TopoDS_Face> faces;  ///< in TopExp's order, oriented as in the shape; one that
+                                     ///< bounds two bodies stands here for each of their shells
+    std::vector<int> shell;          ///< per face: number of the shell that it lies in, -1: in none
+    std::vector<int> solid;          ///< per face: the same of the solid
     std::vector<Coedge> uses;
     std::vector<int> component;    ///< per face: which connected shell it belongs to
     std::vector<int> sign;         ///< per face: -1 where it is turned against most of its shell
@@ -41,9 +44,12 @@ struct ShellGraph {
     int components = 0;
 };
 
-/// Input  any shape; a face or an edge that it holds several times counts once.
-/// Result edges that more than two uses share are mated by pairs, the straightest first; an odd one
-///        out has no mate and is not free.
+/// Input  any shape; a shell that it holds several times counts once, and so does a face or an edge
+///        within a shell.
+/// Result each shell by itself first: of the uses of an edge those of one shell are mated, the
+///        straightest first where there are more than two. What is single in its shell is mated
+///        with what is single in another, or is free. The odd one out of three uses of one shell
+///        has no mate and is not free.
 [[nodiscard]] ShellGraph make_shell_graph(const TopoDS_Shape& shape);
 
 /// What was met on the way around a vertex through the faces.

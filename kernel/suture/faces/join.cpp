@@ -8,12 +8,15 @@
 #include <BRep_Tool.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopTools_DataMapOfShapeInteger.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
 #include <TopTools_ShapeMapHasher.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Iterator.hxx>
 #include <TopoDS_Shell.hxx>
 #include <TopoDS_Solid.hxx>
 
+#include <algorithm>
+#include <map>
 #include <set>
 
 namespace suture {
@@ -110,9 +113,29 @@ class Joiner {
         const int number = static_cast<int>(carriers_.size());
         carriers_.push_back({shape, number, number, {}});
         carrier_of_.Bind(shape, number);
+        count_edges(shape, number);
+    }
+
+    void count_edges(const TopoDS_Shape& shape, int carrier) {
         for (TopExp_Explorer it(shape, TopAbs_EDGE); it.More(); it.Next()) {
-            edges_.Bind(it.Current(), number);
+            const auto index = static_cast<std::size_t>(edges_.Add(it.Current()) - 1);
+            uses_.resize(std::max(uses_.size(), index + 1));
+            ++uses_[index][carrier];
         }
+    }
+
+    /// The carriers that use an edge once: a face is missing there. Other shells can have the edge
+    /// as well, with both faces.
+    [[nodiscard]] std::vector<int> open_at(const TopoDS_Shape& edge) const {
+        std::vector<int> open;
+        if (const int index = edges_.FindIndex(edge); index > 0) {
+            for (const auto& [carrier, uses] : uses_[static_cast<std::size_t>(index - 1)]) {
+                if (uses % 2 == 1) {
+                    open.push_back(carrier);
+                }
+            }
+        }
+        return open;
     }
 
     /// Loose faces that share edges are filled as the shell that they would be.
@@ -139,9 +162,9 @@ class Joiner {
     void attach(const TopoDS_Face& face) {
         std::set<int> leaders;
         for (TopExp_Explorer it(face, TopAbs_EDGE); it.More(); it.Next()) {
-            if (const int* number = edges_.Seek(it.Current())) {
+            for (const int number : open_at(it.Current())) {
                 for (const Carrier& other : carriers_) {
-                    if (other.group == carrier(*number).group) {
+                    if (other.group == carrier(number).group) {
                         leaders.insert(other.leader);
                     }
                 }
@@ -158,11 +181,7 @@ class Joiner {
             }
         }
         carrier(leader).added.push_back(face);
-        for (TopExp_Explorer it(face, TopAbs_EDGE); it.More(); it.Next()) {
-            if (!edges_.IsBound(it.Current())) {
-                edges_.Bind(it.Current(), leader);  // for a further new face that meets this one
-            }
-        }
+        count_edges(face, leader);  // for a further new face that meets this one
     }
 
     [[nodiscard]] TopoDS_Shape rebuilt_carrier(int number) const {
@@ -198,7 +217,8 @@ class Joiner {
 
     std::vector<Carrier> carriers_;
     TopTools_DataMapOfShapeInteger carrier_of_;
-    TopTools_DataMapOfShapeInteger edges_;
+    TopTools_IndexedMapOfShape edges_;
+    std::vector<std::map<int, int>> uses_;  // per edge: how often each carrier has it
     TopTools_DataMapOfShapeInteger loose_edges_;
 };
 

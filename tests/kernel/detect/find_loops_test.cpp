@@ -11,6 +11,7 @@
 #include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
 #include <BRepPrimAPI_MakeTorus.hxx>
+#include <TopoDS_Solid.hxx>
 
 #include <algorithm>
 
@@ -281,6 +282,47 @@ TEST(FindLoops, TakesNoEdgeOfThreeFacesForAFreeOne) {
     const auto loops = loops_of(shell);
     const Census expected{{"rim", 6}, {"ambiguous", 4}};
     EXPECT_EQ(census(loops), expected);
+}
+
+TEST(FindLoops, LooksAtEachShellByItselfWhereTwoHaveAnEdge) {
+    for (const bool first_is_open : {true, false}) {
+        for (std::size_t missing = 0; missing < 6; ++missing) {
+            const auto loops = loops_of(test::boxes_with_common_edge(first_is_open, missing));
+            ASSERT_EQ(census(loops), (Census{{"hole", 4}})) << missing;
+            test::expect_well_walked(loops.front());
+            EXPECT_EQ(loops.front().shell_faces, 5);
+        }
+    }
+}
+
+TEST(FindLoops, TakesEveryLoopOfASolidForAHole) {
+    // one half of a lens is a sheet, unless the file says that it bounds a solid
+    const TopoDS_Shell cap = test::without_faces(
+        BRepPrimAPI_MakeSphere(gp_Ax2(gp_Pnt(0, 0, 0), gp_Dir(0, 0, 1)), 10.0, kPi / 4, kPi / 2)
+            .Shape(),
+        {2});
+    EXPECT_EQ(census(cap), (Census{{"rim", 1}}));
+    BRep_Builder builder;
+    TopoDS_Solid solid;
+    builder.MakeSolid(solid);
+    builder.Add(solid, cap);
+    EXPECT_EQ(census(solid), (Census{{"hole", 1}}));
+}
+
+TEST(FindLoops, GoesOverAnEdgeThatIsShorterThanItsTolerance) {
+    // a strip one of whose corners is cut off; its vertices may lie anywhere around there
+    for (const double inside : {1e-3, -1e-3}) {
+        BRep_Builder builder;
+        const TopoDS_Face strip =
+            test::polygon({{0, 0, 0}, {50, 0, 0}, {50, 3, 0}, {0.001, 3 - inside, 0}, {0, 3, 0}});
+        for (TopExp_Explorer it(strip, TopAbs_VERTEX); it.More(); it.Next()) {
+            const TopoDS_Vertex vertex = TopoDS::Vertex(it.Current());
+            if (BRep_Tool::Pnt(vertex).X() < 1.0 && BRep_Tool::Pnt(vertex).Y() > 1.0) {
+                builder.UpdateVertex(vertex, 0.005);
+            }
+        }
+        EXPECT_EQ(census(strip), (Census{{"rim", 5}}));
+    }
 }
 
 TEST(FindLoops, TakesInternalEdgesAndSeamsForNoFreeOnes) {

@@ -7,6 +7,7 @@
 #include <BRepAlgoAPI_Fuse.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
+#include <TopoDS_Solid.hxx>
 
 #include <functional>
 
@@ -142,6 +143,54 @@ TEST(Islands, TakeInASheetThatLiesInTheHoleOfAnother) {
     EXPECT_EQ(census(loops), (Census{{"rim", 4}, {"hole", 4}, {"hole", 3}}));
     for (const BoundaryLoop& loop : loops) {
         EXPECT_EQ(loop.islands_with.size(), loop.kind == LoopKind::Hole ? 1U : 0U);
+    }
+}
+
+/// A plate with a round hole of `hole` and a boss above it, whose wall begins at `from`.
+TopoDS_Compound boss_without_fillet(double hole, double boss, double from) {
+    const TopoDS_Shape plate = BRepPrimAPI_MakeBox(gp_Pnt(-30, -30, 0), gp_Pnt(30, 30, 10)).Shape();
+    const TopoDS_Shape drilled = BRepAlgoAPI_Cut(plate, cylinder(hole, 5, 11)).Shape();
+    std::set<int> inside;  // the bore, and its bottom
+    const std::vector<TopoDS_Face> faces = occ::faces_of(drilled);
+    for (std::size_t i = 0; i < faces.size(); ++i) {
+        const BRepAdaptor_Surface surface(faces[i]);
+        if (is_cylinder_of(surface, hole) || is_plane_at(surface, 5.0)) {
+            inside.insert(static_cast<int>(i) + 1);
+        }
+    }
+    EXPECT_EQ(inside.size(), 2U);
+    return test::compound_of({test::without_faces(drilled, inside),
+                              without(cylinder(boss, from, 30), [&](const auto& surface) {
+                                  return is_plane_at(surface, from);
+                              })});
+}
+
+TEST(Islands, AreTheTwoCirclesOfALostFillet) {
+    for (const double scale : {1e-3, 1.0, 1e3}) {
+        const auto loops = loops_of(test::moved(boss_without_fillet(16, 12, 14), scale));
+        EXPECT_EQ(census(loops), (Census{{"hole", 1}, {"hole", 1}}));
+        expect_one_face(loops);
+    }
+}
+
+TEST(Islands, AreNoFilletWhereTheNeighboursMeetUnequallyFar) {
+    for (const auto& loop : loops_of(boss_without_fillet(16, 12, 15))) {
+        EXPECT_TRUE(loop.islands_with.empty());
+    }
+}
+
+TEST(Islands, AreNoFilletBetweenTwoSolids) {
+    BRep_Builder builder;
+    std::vector<TopoDS_Shape> solids;
+    for (TopExp_Explorer it(boss_without_fillet(16, 12, 14), TopAbs_SHELL); it.More(); it.Next()) {
+        TopoDS_Solid solid;
+        builder.MakeSolid(solid);
+        builder.Add(solid, it.Current());
+        solids.push_back(solid);
+    }
+    ASSERT_EQ(solids.size(), 2U);
+    for (const auto& loop : loops_of(test::compound_of(solids))) {
+        EXPECT_TRUE(loop.islands_with.empty());
     }
 }
 

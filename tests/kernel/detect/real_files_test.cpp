@@ -1,5 +1,5 @@
 #include "support/read_for_test.h"
-#include "suture/detect/sew_loose.h"
+#include "suture/sew/sew_shape.h"
 
 #include "kernel/detect/shapes.h"
 
@@ -57,7 +57,7 @@ const std::vector<Expected> kFiles{
 TopoDS_Shape sewn_shape(const std::string& path) {
     const TopoDS_Shape shape = test::read_for_test(path);
     EXPECT_FALSE(shape.IsNull()) << path;
-    const auto sewn = sew_loose(shape, 0.0);
+    const auto sewn = sew_shape(shape, 0.0);
     EXPECT_TRUE(sewn.has_value()) << path << ": " << sewn.error().message;
     EXPECT_EQ(occ::faces_of(sewn->shape).size(), occ::faces_of(shape).size()) << path;
     return sewn->shape;
@@ -76,9 +76,11 @@ TEST(RealFiles, HaveTheLoopsThatTheyAreKnownFor) {
         const TopoDS_Shape shape = test::read_for_test(entry.path().string());
         ASSERT_FALSE(shape.IsNull()) << name;
         const auto start = std::chrono::steady_clock::now();
-        const auto sewn = sew_loose(shape, 0.0);
+        const auto sewn = sew_shape(shape, 0.0);
         ASSERT_TRUE(sewn.has_value()) << name << ": " << sewn.error().message;
-        const auto loops = test::loops_of(sewn->shape);
+        // Plain readers throw all parts into one shape, where bodies that only stand beside each
+        // other seem to touch: only files of loose faces are sewn here.
+        const auto loops = test::loops_of(sewn->loose_faces > 0 ? sewn->shape : shape);
         const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
         EXPECT_LT(seconds.count(), kSeconds * SUTURE_TEST_SLOWDOWN) << name;
         EXPECT_EQ(occ::faces_of(sewn->shape).size(), occ::faces_of(shape).size()) << name;
@@ -99,7 +101,7 @@ TEST(RealFiles, CloseTheGapsOfAnc101AndOfHammer) {
         GTEST_SKIP() << "the folder of real files is not there: " << folder;
     }
     const auto gap = [&](const char* name) {
-        const auto sewn = sew_loose(test::read_for_test(folder + name), 0.0);
+        const auto sewn = sew_shape(test::read_for_test(folder + name), 0.0);
         EXPECT_TRUE(sewn.has_value());
         EXPECT_EQ(sewn->free_edges_after, 0);
         return sewn->largest_gap;

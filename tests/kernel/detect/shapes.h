@@ -118,6 +118,39 @@ inline TopoDS_Face polygon(const std::vector<gp_Pnt>& points) {
     return mesh.face(ring);
 }
 
+/// Two boxes with one upright edge in common, the one without the face `missing`, the other closed.
+inline TopoDS_Compound boxes_with_common_edge(bool first_is_open, std::size_t missing) {
+    PolygonMesh mesh({{0, 0, 0},
+                      {10, 0, 0},
+                      {10, 10, 0},
+                      {0, 10, 0},
+                      {0, 0, 10},
+                      {10, 0, 10},
+                      {10, 10, 10},
+                      {0, 10, 10},
+                      {20, 10, 0},
+                      {20, 20, 0},
+                      {10, 20, 0},
+                      {20, 10, 10},
+                      {20, 20, 10},
+                      {10, 20, 10}});
+    const std::vector<std::vector<int>> one{{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4},
+                                            {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}};
+    const std::vector<std::vector<int>> two{{2, 10, 9, 8},  {6, 11, 12, 13}, {2, 8, 11, 6},
+                                            {8, 9, 12, 11}, {9, 10, 13, 12}, {10, 2, 6, 13}};
+    std::vector<TopoDS_Face> first;
+    std::vector<TopoDS_Face> second;
+    for (std::size_t i = 0; i < 6; ++i) {
+        if (!first_is_open || i != missing) {
+            first.push_back(mesh.face(one[i]));
+        }
+        if (first_is_open || i != missing) {
+            second.push_back(mesh.face(two[i]));
+        }
+    }
+    return compound_of({shell_of(first), shell_of(second)});
+}
+
 /// Each face copied, so that none shares an edge with another.
 inline TopoDS_Compound loosened(const TopoDS_Shape& shape) {
     std::vector<TopoDS_Shape> parts;

@@ -3,6 +3,7 @@
 #include "support/properties.h"
 #include "suture/faces/make_faces.h"
 
+#include "kernel/detect/shapes.h"
 #include "kernel/faces/holes.h"
 #include <gtest/gtest.h>
 
@@ -130,6 +131,23 @@ TEST(Join, LeavesAShellInTheSolidThatItWasIn) {
         EXPECT_EQ(result.ShapeType(), TopAbs_SOLID);
         EXPECT_EQ(count(result, TopAbs_SHELL), 1U);
         EXPECT_NEAR(volume(result), 24.0, 1e-9);
+    }
+}
+
+TEST(Join, GivesTheNewFaceToTheShellThatOwnsItsSides) {
+    // two boxes with a common edge, beside the hole or away from it; either is the open one
+    for (std::size_t missing = 0; missing < 6; ++missing) {
+        for (const bool first_is_open : {true, false}) {
+            const TopoDS_Compound boxes = test::boxes_with_common_edge(first_is_open, missing);
+            const TopoDS_Shape result = joined(boxes, new_faces(boxes));
+            EXPECT_TRUE(BRepCheck_Analyzer(result).IsValid());
+            ASSERT_EQ(count(result, TopAbs_SHELL), 2U);
+            EXPECT_EQ(count(result, TopAbs_SOLID), 2U);
+            for (TopExp_Explorer it(result, TopAbs_SHELL); it.More(); it.Next()) {
+                EXPECT_EQ(count(it.Current(), TopAbs_FACE), 6U);
+                EXPECT_TRUE(BRep_Tool::IsClosed(it.Current()));
+            }
+        }
     }
 }
 

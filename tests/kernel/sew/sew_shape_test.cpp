@@ -1,10 +1,10 @@
-#include "suture/detect/sew_loose.h"
+#include "suture/sew/sew_shape.h"
 
 #include "support/properties.h"
 #include "suture/base/tolerance.h"
-#include "suture/detect/sew_faces.h"
 #include "suture/detect/shell_graph.h"
 #include "suture/occ/handle.h"
+#include "suture/sew/bodies.h"
 
 #include "kernel/detect/shapes.h"
 
@@ -31,7 +31,7 @@ using test::census;
 using test::volume;
 
 SewnShape sew(const TopoDS_Shape& shape, double tolerance = 0.0) {
-    auto result = sew_loose(shape, tolerance);
+    auto result = sew_shape(shape, tolerance);
     EXPECT_TRUE(result.has_value()) << result.error().message;
     return result.value_or(SewnShape());
 }
@@ -57,7 +57,7 @@ TopoDS_Compound box_with_gaps(double gap) {
     });
 }
 
-TEST(SewLoose, ClosesTheLooseFacesOfASolidOutwards) {
+TEST(SewShape, ClosesTheLooseFacesOfASolidOutwards) {
     const TopoDS_Shape box = BRepPrimAPI_MakeBox(10.0, 20.0, 30.0).Shape();
     for (const double scale : {1e-3, 1.0, 1e3}) {
         const TopoDS_Shape whole = test::moved(box, scale);
@@ -69,7 +69,7 @@ TEST(SewLoose, ClosesTheLooseFacesOfASolidOutwards) {
     }
 }
 
-TEST(SewLoose, MakesASolidOfAShellThatCloses) {
+TEST(SewShape, MakesASolidOfAShellThatCloses) {
     const TopoDS_Shape box = BRepPrimAPI_MakeBox(10.0, 20.0, 30.0).Shape();
     const SewnShape one = sew(test::loosened(box));
     ASSERT_EQ(one.shape.ShapeType(), TopAbs_SOLID);
@@ -86,7 +86,7 @@ TEST(SewLoose, MakesASolidOfAShellThatCloses) {
     EXPECT_EQ(census(two.shape), (Census{{"hole", 4}}));
 }
 
-TEST(SewLoose, TurnsFacesToAgreeAndTheShellOutwards) {
+TEST(SewShape, TurnsFacesToAgreeAndTheShellOutwards) {
     const TopoDS_Shape box = BRepPrimAPI_MakeBox(10.0, 20.0, 30.0).Shape();
     std::vector<TopoDS_Shape> parts;
     int i = 0;
@@ -101,7 +101,7 @@ TEST(SewLoose, TurnsFacesToAgreeAndTheShellOutwards) {
     }
 }
 
-TEST(SewLoose, ClosesGapsThatAreSmallAgainstTheirEdges) {
+TEST(SewShape, ClosesGapsThatAreSmallAgainstTheirEdges) {
     const SewnShape sewn = sew(box_with_gaps(0.004));
     EXPECT_EQ(sewn.free_edges_after, 0);
     EXPECT_GE(sewn.largest_gap, 0.004);
@@ -109,19 +109,19 @@ TEST(SewLoose, ClosesGapsThatAreSmallAgainstTheirEdges) {
     EXPECT_GE(sewn.tolerance, sewn.largest_gap);
 }
 
-TEST(SewLoose, LeavesGapsThatAreLargeAgainstTheirEdges) {
+TEST(SewShape, LeavesGapsThatAreLargeAgainstTheirEdges) {
     const SewnShape sewn = sew(box_with_gaps(0.3));
     EXPECT_GT(sewn.free_edges_after, 0);
     EXPECT_LT(sewn.tolerance, 0.1);
 }
 
-TEST(SewLoose, TakesTheGivenTolerance) {
+TEST(SewShape, TakesTheGivenTolerance) {
     const SewnShape sewn = sew(box_with_gaps(0.3), 0.7);
     EXPECT_EQ(sewn.free_edges_after, 0);
     EXPECT_EQ(sewn.tolerance, 0.7);
 }
 
-TEST(SewLoose, KeepsAThinSlotInAPlate) {
+TEST(SewShape, KeepsAThinSlotInAPlate) {
     const TopoDS_Shape plate = BRepPrimAPI_MakeBox(100.0, 90.0, 5.0).Shape();
     const TopoDS_Shape tool =
         BRepPrimAPI_MakeBox(gp_Pnt(10, 44.95, -1), gp_Pnt(90, 45.05, 6)).Shape();
@@ -129,7 +129,7 @@ TEST(SewLoose, KeepsAThinSlotInAPlate) {
     expect_sewn_as(slotted, sew(test::loosened(slotted)));
 }
 
-TEST(SewLoose, KeepsASlotInALoneSheet) {
+TEST(SewShape, KeepsASlotInALoneSheet) {
     test::PolygonMesh mesh({{0, 0, 0},
                             {100, 0, 0},
                             {100, 90, 0},
@@ -144,7 +144,7 @@ TEST(SewLoose, KeepsASlotInALoneSheet) {
     EXPECT_EQ(census(sewn.shape), (Census{{"rim", 4}, {"hole", 4}}));
 }
 
-TEST(SewLoose, KeepsANarrowSlotBetweenTwoFaces) {
+TEST(SewShape, KeepsANarrowSlotBetweenTwoFaces) {
     // a sheet in two halves that meet left and right of a slot 0.1 wide and 80 long
     const TopoDS_Face lower = test::polygon({{0, 0, 0},
                                              {100, 0, 0},
@@ -173,13 +173,13 @@ std::vector<TopoDS_Shape> sheets_with_gap() {
             test::polygon({{0, 45.08, 0}, {100, 45.08, 0}, {100, 90, 0}, {0, 90, 0}})};
 }
 
-TEST(SewLoose, ClosesAGapThatNoFeatureForbids) {
+TEST(SewShape, ClosesAGapThatNoFeatureForbids) {
     const SewnShape sewn = sew(test::compound_of(sheets_with_gap()));
     EXPECT_EQ(sewn.free_edges_after, 6);
     EXPECT_NEAR(sewn.largest_gap, 0.08, 1e-9);
 }
 
-TEST(SewLoose, StaysBelowTheNarrowestSliver) {
+TEST(SewShape, StaysBelowTheNarrowestSliver) {
     const TopoDS_Vertex a = BRepBuilderAPI_MakeVertex(gp_Pnt(0, -50, 0));
     const TopoDS_Vertex b = BRepBuilderAPI_MakeVertex(gp_Pnt(100, -50, 0));
     const occ::Handle<Geom_TrimmedCurve> arc =
@@ -195,7 +195,7 @@ TEST(SewLoose, StaysBelowTheNarrowestSliver) {
     EXPECT_FALSE(sewn.changed);
 }
 
-TEST(SewLoose, StaysBelowTheShortestEdge) {
+TEST(SewShape, StaysBelowTheShortestEdge) {
     std::vector<TopoDS_Shape> parts = sheets_with_gap();
     const TopoDS_Edge pinprick =
         BRepBuilderAPI_MakeEdge(gp_Circ(gp_Ax2(gp_Pnt(20, 20, 0), gp_Dir(0, 0, -1)), 0.01));
@@ -213,14 +213,13 @@ TEST(MakeShells, TurnsFacesThatDisagree) {
     for (const int turned : {0, 2, 3, 5}) {
         faces[turned] = TopoDS::Face(faces[turned].Reversed());
     }
-    const auto shells = make_shells(faces);
-    ASSERT_TRUE(shells.has_value());
-    ASSERT_EQ(shells->size(), 1U);
-    EXPECT_NEAR(volume(shells->front().shell), 6000.0, 1e-6);
-    EXPECT_EQ(shells->front().members.size(), 6U);
+    const auto shells = make_shells(faces, std::vector<int>(faces.size(), -1));
+    ASSERT_EQ(shells.size(), 1U);
+    EXPECT_NEAR(volume(shells.front().shell), 6000.0, 1e-6);
+    EXPECT_EQ(shells.front().members.size(), 6U);
 }
 
-TEST(SewLoose, KeepsANarrowHoleOfASolid) {
+TEST(SewShape, KeepsANarrowHoleOfASolid) {
     const TopoDS_Shape box = BRepPrimAPI_MakeBox(40.0, 30.0, 20.0).Shape();
     const TopoDS_Shape tool = BRepPrimAPI_MakeBox(gp_Pnt(5, 10, 15), gp_Pnt(30, 10.5, 21)).Shape();
     const TopoDS_Shape pocketed = BRepAlgoAPI_Cut(box, tool).Shape();
@@ -241,17 +240,17 @@ TEST(SewLoose, KeepsANarrowHoleOfASolid) {
     EXPECT_EQ(census(sewn.shape), (Census{{"hole", 4}}));
 }
 
-TEST(SewLoose, KeepsTheWallsOfAThinPlateApart) {
+TEST(SewShape, KeepsTheWallsOfAThinPlateApart) {
     const TopoDS_Shape plate = BRepPrimAPI_MakeBox(100.0, 80.0, 0.1).Shape();
     expect_sewn_as(plate, sew(test::loosened(plate)));
 }
 
-TEST(SewLoose, ClosesAFaceOnItselfAndToItsLids) {
+TEST(SewShape, ClosesAFaceOnItselfAndToItsLids) {
     const TopoDS_Shape cylinder = BRepPrimAPI_MakeCylinder(2.0, 5.0).Shape();
     expect_sewn_as(cylinder, sew(test::loosened(cylinder)));
 }
 
-TEST(SewLoose, LeavesConnectedShellsUntouched) {
+TEST(SewShape, LeavesConnectedShellsUntouched) {
     const TopoDS_Shell open =
         test::without_faces(BRepPrimAPI_MakeBox(10.0, 20.0, 30.0).Shape(), {1});
     gp_Trsf aside;
@@ -267,7 +266,7 @@ TEST(SewLoose, LeavesConnectedShellsUntouched) {
     EXPECT_EQ(shells.Extent(), 2);
 }
 
-TEST(SewLoose, GivesBackWhatHasNoLooseFaces) {
+TEST(SewShape, GivesBackWhatHasNoLooseFaces) {
     const TopoDS_Shape box = BRepPrimAPI_MakeBox(10.0, 20.0, 30.0).Shape();
     const SewnShape sewn = sew(box);
     EXPECT_FALSE(sewn.changed);
@@ -275,7 +274,7 @@ TEST(SewLoose, GivesBackWhatHasNoLooseFaces) {
     EXPECT_EQ(sewn.loose_faces, 0);
 }
 
-TEST(SewLoose, SewsTheFacesOfEachCompoundByThemselves) {
+TEST(SewShape, SewsTheFacesOfEachCompoundByThemselves) {
     const TopoDS_Shape left = BRepPrimAPI_MakeBox(gp_Pnt(0, 0, 0), gp_Pnt(4, 3, 2)).Shape();
     const TopoDS_Shape right = BRepPrimAPI_MakeBox(gp_Pnt(4, 0, 0), gp_Pnt(9, 3, 2)).Shape();
     const SewnShape sewn = sew(test::compound_of({test::loosened(left), test::loosened(right)}));
@@ -286,7 +285,7 @@ TEST(SewLoose, SewsTheFacesOfEachCompoundByThemselves) {
     EXPECT_NEAR(volume(sewn.shape), 9.0 * 3.0 * 2.0, 1e-9);
 }
 
-TEST(SewLoose, LeavesASheetThatDividesABodyOutOfIt) {
+TEST(SewShape, LeavesASheetThatDividesABodyOutOfIt) {
     // two boxes as one, the wall between them drawn once: a body of ten faces and a sheet
     std::vector<TopoDS_Shape> parts;
     for (const double x : {0.0, 4.0}) {
@@ -308,7 +307,7 @@ TEST(SewLoose, LeavesASheetThatDividesABodyOutOfIt) {
     }
 }
 
-TEST(SewLoose, SewsAcrossCompoundsWhatIsStillOpen) {
+TEST(SewShape, SewsAcrossCompoundsWhatIsStillOpen) {
     const TopoDS_Shape box = BRepPrimAPI_MakeBox(10.0, 20.0, 30.0).Shape();
     const std::vector<TopoDS_Face> faces = occ::faces_of(test::loosened(box));
     const SewnShape sewn =
@@ -317,15 +316,15 @@ TEST(SewLoose, SewsAcrossCompoundsWhatIsStillOpen) {
     expect_sewn_as(box, sewn);
 }
 
-TEST(SewLoose, RefusesImpossibleTolerances) {
+TEST(SewShape, RefusesImpossibleTolerances) {
     const TopoDS_Shape box = BRepPrimAPI_MakeBox(1.0, 2.0, 3.0).Shape();
     for (const double tolerance : {-1.0, std::numeric_limits<double>::quiet_NaN(),
                                    std::numeric_limits<double>::infinity()}) {
-        const auto result = sew_loose(box, tolerance);
+        const auto result = sew_shape(box, tolerance);
         ASSERT_FALSE(result.has_value());
         EXPECT_EQ(result.error().code, ErrorCode::Usage);
     }
-    EXPECT_FALSE(sew_loose(TopoDS_Shape(), 0.0).has_value());
+    EXPECT_FALSE(sew_shape(TopoDS_Shape(), 0.0).has_value());
 }
 
 }  // namespace
