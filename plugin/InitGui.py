@@ -29,7 +29,7 @@ class SutureWorkbench(FreeCADGui.Workbench):
         self.appendMenu("Suture", self.commands)
 
     def ContextMenu(self, recipient):
-        self.appendContextMenu("Suture", self.commands[:5])
+        self.appendContextMenu("Suture", self.commands[:6])
 
     def GetClassName(self):
         return "Gui::PythonWorkbench"

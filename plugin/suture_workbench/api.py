@@ -14,7 +14,9 @@ Every failure is a SutureError, whose text is a sentence and whose `edges` are t
 
 from pathlib import Path
 
-from . import exporter, feature, places, tasks, waiting
+import FreeCAD as App
+
+from . import exporter, feature, places, tasks, waiting, words
 from .compat import translate
 from .errors import NothingToDo, SutureError
 from .options import CheckOptions, FillOptions
@@ -58,6 +60,31 @@ def fill(obj, edges=(), faces=(), through=(), **options):
     chosen = FillOptions(edges_for(base, edges, faces), **options)
     request = feature.Request(base, chosen.with_points(places.points_through(through, base)))
     return keep(request, waiting.run(request.task()), chosen, through)
+
+
+def sew(obj):
+    """An object beside `obj`: its shape with the loose faces sewn, in one step of undo. It does not
+    follow `obj`. NothingToDo if no face is loose."""
+    base = places.base_of(obj)
+    shape, sewing = waiting.run(tasks.SewFaces(places.local_shape(base)))
+    document = base.Document
+    document.openTransaction(translate("Sew faces"))
+    try:
+        sewn = document.addObject("Part::Feature", "Sewn")
+        home = places.home_for_result(base)
+        if home is not None:
+            home.addObject(sewn)
+        sewn.Label = translate("{} sewn").format(base.Label)
+        sewn.Shape = shape
+        sewn.Placement = places.frame(sewn).inverse().multiply(places.to_document(base))
+        hide(base)
+        document.recompute()
+    except BaseException:
+        document.abortTransaction()
+        raise
+    document.commitTransaction()
+    App.Console.PrintMessage(f"{sewn.Label}: {words.sewn(sewing)}\n")
+    return sewn
 
 
 def keep(request, filled, options, through=(), edited=None):

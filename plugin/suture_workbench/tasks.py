@@ -13,7 +13,7 @@ from pathlib import Path
 
 from . import exchange, reports, settings
 from .compat import translate
-from .errors import SutureError
+from .errors import NothingToDo, SutureError
 from .job import Job
 
 Filled = namedtuple("Filled", "shape report new_faces origins")
@@ -160,6 +160,22 @@ class FindHoles(Task):
         shape, tolerance = yield from self._sew(source)
         numbers = sorted({edge for hole in report.holes for edge in hole.edges})
         return Found(report, shape, exchange.same_edges(numbers, shape, self.shape, tolerance))
+
+
+class SewFaces(Task):
+    """A shape whose loose faces are sewn. Result   (shape, `sewing` of docs/json.md)"""
+
+    def __init__(self, shape):
+        self.shape = shape
+        super().__init__()
+
+    def steps(self):
+        path = self.folder / ("sewn" + exchange.SUFFIX)
+        document = yield ["convert", self._input(self.shape), path, "--sew"]
+        sewing = document.get("sewing") or {}
+        if not sewing.get("changed"):
+            raise NothingToDo(translate("There is no loose face to sew."))
+        return exchange.unwrapped(exchange.read_shape(path)), sewing
 
 
 class FillHoles(Task):

@@ -312,3 +312,10 @@ def option_name(key):
         "salience": translate("Cut branches"),
         "flatness": translate("Drop flat nodes"),
     }.get(key, key)
+
+
+def sewn(sewing):
+    """What came of sewing (the key `sewing` of the program's answer)."""
+    return translate("{} loose faces sewn, gaps up to {:.2g} mm; {} free edges are left.").format(
+        sewing["loose_faces"], sewing["largest_gap"], sewing["free_edges_after"]
+    )

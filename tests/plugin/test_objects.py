@@ -11,6 +11,7 @@ from headless import CORNER, PROGRAM, TURNED, Case, example  # first: it makes F
 import FreeCAD as App  # noqa: E402
 import Part  # noqa: E402
 from suture_workbench import api, parts, places  # noqa: E402
+from suture_workbench.errors import NothingToDo  # noqa: E402
 
 
 class Objects(Case):
@@ -216,6 +217,18 @@ class Objects(Case):
         self.assertEqual(self.document.UndoCount, 1)
         self.document.undo()
         self.assertEqual(self.document.Objects, [base])
+
+    def test_loose_faces_are_sewn_into_an_object_that_stands_where_they_did(self):
+        base = self.add(Part.Compound([face.copy() for face in example().Faces]))
+        base.Placement = TURNED
+        self.document.UndoMode = 1
+        self.document.clearUndos()
+        sewn = api.sew(base)
+        self.assertEqual((sewn.Shape.ShapeType, self.document.UndoCount), ("Shell", 1))
+        self.assertEqual(len(sewn.Shape.Edges), len(example().Edges))
+        self.assertLess((sewn.Shape.BoundBox.Center - base.Shape.BoundBox.Center).Length, 1e-6)
+        self.assertRaises(NothingToDo, api.sew, sewn)
+        self.assertEqual(len(self.document.Objects), 2)
 
     def test_loose_faces_are_sewn_and_edges_still_found(self):
         base = self.add(Part.Compound([face.copy() for face in example().Faces]))

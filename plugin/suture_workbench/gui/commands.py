@@ -63,6 +63,14 @@ def fill():
     _open(FillPanel, item)
 
 
+def sew():
+    from .. import api
+
+    sewn = api.sew(pick.target().obj)
+    Gui.Selection.clearSelection()
+    Gui.Selection.addSelection(sewn)
+
+
 def check():
     from .check_panel import CheckPanel
 
@@ -117,6 +125,14 @@ _COMMANDS = [
         QT_TRANSLATE_NOOP("Suture_Fill", "Fill holes with smooth faces: at the selected edges or faces, or all of the shape"),
         "U, F",
         fill,
+        _document,
+    ),
+    (
+        "Suture_Sew",
+        QT_TRANSLATE_NOOP("Suture_Sew", "Sew faces"),
+        QT_TRANSLATE_NOOP("Suture_Sew", "Join the loose faces of a shape along their common edges"),
+        "U, S",
+        sew,
         _document,
     ),
     (

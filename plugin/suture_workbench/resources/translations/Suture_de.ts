@@ -10,8 +10,18 @@
     </message>
     <message>
       <location filename="suture_workbench/api.py" />
+      <source>Sew faces</source>
+      <translation>Flächen nähen</translation>
+    </message>
+    <message>
+      <location filename="suture_workbench/api.py" />
       <source>Fill holes</source>
       <translation>Löcher füllen</translation>
+    </message>
+    <message>
+      <location filename="suture_workbench/api.py" />
+      <source>{} sewn</source>
+      <translation>{} genäht</translation>
     </message>
     <message>
       <location filename="suture_workbench/api.py" />
@@ -759,6 +769,11 @@ oder installieren oder angeben, wo es ist: Bearbeiten &gt; Einstellungen &gt; Su
     </message>
     <message>
       <location filename="suture_workbench/tasks.py" />
+      <source>There is no loose face to sew.</source>
+      <translation>Es gibt keine lose Fläche zum Nähen.</translation>
+    </message>
+    <message>
+      <location filename="suture_workbench/tasks.py" />
       <source>Edge{} is gone after the loose faces were sewn.</source>
       <translation>Edge{} ist weg, seit die losen Flächen zusammengenäht wurden.</translation>
     </message>
@@ -846,6 +861,11 @@ oder installieren oder angeben, wo es ist: Bearbeiten &gt; Einstellungen &gt; Su
       <location filename="suture_workbench/words.py" />
       <source>Edge numbers are those after the loose faces were sewn.</source>
       <translation>Die Kantennummern gelten nach dem Zusammennähen der losen Flächen.</translation>
+    </message>
+    <message>
+      <location filename="suture_workbench/words.py" />
+      <source>{} loose faces sewn, gaps up to {:.2g} mm; {} free edges are left.</source>
+      <translation>{} lose Flächen genäht, Spalte bis {:.2g} mm; {} freie Kanten bleiben.</translation>
     </message>
     <message>
       <location filename="suture_workbench/words.py" />
@@ -1512,6 +1532,19 @@ oder installieren oder angeben, wo es ist: Bearbeiten &gt; Einstellungen &gt; Su
       <location filename="suture_workbench/gui/commands.py" />
       <source>Fill holes with smooth faces: at the selected edges or faces, or all of the shape</source>
       <translation>Löcher mit glatten Flächen füllen: an den gewählten Kanten oder Flächen, oder alle der Form</translation>
+    </message>
+  </context>
+  <context>
+    <name>Suture_Sew</name>
+    <message>
+      <location filename="suture_workbench/gui/commands.py" />
+      <source>Sew faces</source>
+      <translation>Flächen nähen</translation>
+    </message>
+    <message>
+      <location filename="suture_workbench/gui/commands.py" />
+      <source>Join the loose faces of a shape along their common edges</source>
+      <translation>Die losen Flächen einer Form an ihren gemeinsamen Kanten verbinden</translation>
     </message>
   </context>
   <context>
