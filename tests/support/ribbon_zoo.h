@@ -311,4 +311,119 @@ inline Hole sphere_cap(double radius, double latitude, int pieces,
     return hole_of(std::move(ribbons));
 }
 
+/// A corner at which filleted edges meet: edge i leaves the origin along a unit direction, and has
+/// a fillet of this radius. The directions run counterclockwise seen from outside; edges may be
+/// convex or concave.
+struct FilletedEdge {
+    Eigen::Vector3d direction;
+    double radius;
+};
+/// The fillets without their ends: cylinders tangent to the planes between the edges.
+class FilletCorner {
+  public:
+    explicit FilletCorner(const std::vector<FilletedEdge>& edges) : edges_(edges) {
+        for (std::size_t i = 0; i < edges.size(); ++i) {
+            fillets_.push_back(fillet(i));
+        }
+    }
+
+    /// The hole of n sides whose corners are where neighbouring fillets meet on a plane: n fillets.
+    [[nodiscard]] Hole tight(Continuity continuity = Continuity::G1) const {
+        std::vector<Ribbon> ribbons;
+        for (std::size_t i = 0; i < edges_.size(); ++i) {
+            const double from = height(i, meeting((i + edges_.size() - 1) % edges_.size()));
+            const double to = height(i, meeting(i));
+            ribbons.push_back(ribbon(fillets_[i].surface,
+                                     polygon({{0.0, from}, {fillets_[i].angle, to}})[0], continuity,
+                                     static_cast<int>(i) + 1));
+        }
+        return hole_of(std::move(ribbons));
+    }
+
+    /// The hole of 2 n sides around which fillets end straight at distance s from the origin, and
+    /// the loop runs straight over the planes between them.
+    [[nodiscard]] Hole setback(double s, Continuity continuity = Continuity::G1) const {
+        std::vector<Ribbon> ribbons;
+        for (std::size_t i = 0; i < edges_.size(); ++i) {
+            const int edge = static_cast<int>(2 * i) + 1;
+            const std::size_t next = (i + 1) % edges_.size();
+            const double h = height(i, s * edges_[i].direction);
+            ribbons.push_back(ribbon(fillets_[i].surface,
+                                     polygon({{0.0, h}, {fillets_[i].angle, h}})[0], continuity,
+                                     edge));
+            const Eigen::Vector3d from = fillets_[i].last + s * edges_[i].direction;
+            const Eigen::Vector3d along = fillets_[next].first + s * edges_[next].direction - from;
+            const Eigen::Vector3d across = outward(i).cross(along);
+            const Surface plane = [from, along, across](const Jet& u, const Jet& v) {
+                Point p;
+                for (int c = 0; c < 3; ++c) {
+                    p[static_cast<std::size_t>(c)] =
+                        Jet(from[c]) + Jet(along[c]) * u + Jet(across[c]) * v;
+                }
+                return p;
+            };
+            ribbons.push_back(
+                ribbon(plane, polygon({{0.0, 0.0}, {1.0, 0.0}})[0], continuity, edge + 1));
+        }
+        return hole_of(std::move(ribbons));
+    }
+
+  private:
+    struct Fillet {
+        Surface surface;
+        double angle;                 // between the planes' normals
+        Eigen::Vector3d along;        // unit vector in which the surface's second parameter grows
+        Eigen::Vector3d first, last;  // points of the lines in which it touches the two planes
+    };
+
+    // Of the plane between edges i and i + 1.
+    [[nodiscard]] Eigen::Vector3d outward(std::size_t i) const {
+        return edges_[i].direction.cross(edges_[(i + 1) % edges_.size()].direction).normalized();
+    }
+    [[nodiscard]] double height(std::size_t i, const Eigen::Vector3d& point) const {
+        return point.dot(fillets_[i].along);
+    }
+    // Where the lines in which fillets i and i + 1 touch the plane between them cross.
+    [[nodiscard]] Eigen::Vector3d meeting(std::size_t i) const {
+        const std::size_t next = (i + 1) % edges_.size();
+        const Eigen::Vector3d normal = outward(i);
+        const Eigen::Vector3d across = normal.cross(edges_[next].direction);
+        const double t =
+            across.dot(fillets_[next].first - fillets_[i].last) / across.dot(edges_[i].direction);
+        return fillets_[i].last + t * edges_[i].direction;
+    }
+    [[nodiscard]] Fillet fillet(std::size_t i) const {
+        const auto& [e, r] = edges_[i];
+        const Eigen::Vector3d before = outward((i + edges_.size() - 1) % edges_.size());
+        const Eigen::Vector3d after = outward(i);
+        const double sign = before.cross(after).dot(e) < 0.0 ? 1.0 : -1.0;  // convex: 1
+        // The axis, at distance r inside both planes (outside of a concave edge).
+        Eigen::Matrix3d planes;
+        planes << before.transpose(), after.transpose(), e.transpose();
+        const Eigen::Vector3d axis = planes.inverse() * Eigen::Vector3d(-sign * r, -sign * r, 0.0);
+        Eigen::Matrix3d frame;
+        frame.col(0) = sign * before;
+        frame.col(1) = sign * (after - after.dot(before) * before).normalized();
+        frame.col(2) = sign * frame.col(0).cross(frame.col(1));
+        return {moved(cylinder(r), frame, axis), std::acos(before.dot(after)), frame.col(2),
+                axis + sign * r * before, axis + sign * r * after};
+    }
+
+    std::vector<FilletedEdge> edges_;
+    std::vector<Fillet> fillets_;
+};
+/// Corners of 3 and more edges with unequal radii and directions, by fixed patterns; `rise` lifts
+/// every other edge, so that convex and concave ones meet.
+inline FilletCorner fillet_corner(int edges, double slope, double rise, double vary) {
+    std::vector<FilletedEdge> result;
+    for (int k = 0; k < edges; ++k) {
+        const double phi =
+            2.0 * kPi * (k + 0.25 * vary * std::sin(2.3 * k + 0.7)) / static_cast<double>(edges);
+        const double z = -slope + (k % 2 == 0 ? rise : -rise);
+        result.push_back({Eigen::Vector3d(std::cos(phi), std::sin(phi), z).normalized(),
+                          1.0 + 0.6 * vary * std::sin(1.7 * k * k + 0.4)});
+    }
+    return FilletCorner(result);
+}
+
 }  // namespace suture::zoo

@@ -3,12 +3,13 @@
 #include "suture/fill/mvs/fairing.h"
 #include "suture/fill/mvs/layout.h"
 #include "suture/fill/mvs/remember.h"
+#include "suture/fill/mvs/schedule.h"
 
 namespace suture {
 namespace {
 
-// The surface's least area element, against the mean: below, it folds or nearly so.
-constexpr double kLeastRegularity = 1e-3;
+// The surface's least area element, against the mean: below, it folds or has no normal to speak of.
+constexpr double kLeastRegularity = 1e-4;
 // A surface this far from a neighbour's tangent plane has turned over there.
 constexpr double kMostAngle = 0.5 * kPi;
 
@@ -58,14 +59,19 @@ void note_corners(const Hole& hole, const Tolerance& tolerance, std::vector<std:
 
 }  // namespace
 
-Result<FillResult> fill_mvs(const Hole& asked, const FillOptions& options) {
+Result<FillResult> fill_mvs(const Hole& hole, const FillOptions& options) {
+    return fill_mvs(hole, options, mvs::Schedule());
+}
+
+Result<FillResult> fill_mvs(const Hole& asked, const FillOptions& options,
+                            const mvs::Schedule& schedule) {
     const Hole hole = mvs::remember(asked);
     const RibbonLoop& loop = hole.loops.front();
     const Result<mvs::Layout> layout = mvs::lay_out(loop, hole.diameter);
     if (!layout) {
         return tl::unexpected(layout.error());
     }
-    const Result<mvs::Fairing> fairing = mvs::fair(hole, *layout, options);
+    const Result<mvs::Fairing> fairing = mvs::fair(hole, *layout, options, schedule);
     if (!fairing) {
         return tl::unexpected(fairing.error());
     }
@@ -86,6 +92,16 @@ Result<FillResult> fill_mvs(const Hole& asked, const FillOptions& options) {
                     "{:.2g}, angle {:.2g} deg",
                     fairing->net.u.count(), fairing->net.v.count(), fairing->steps,
                     fairing->worst.gap * fairing->scale.length, degrees(fairing->worst.angle)));
+    if (fairing->lines > 0) {
+        result.notes.push_back(fmt::format(
+            "neighbours agree in normal but not in curvature at corners: {} knot line{} through "
+            "them, across which the curvature may jump",
+            fairing->lines, fairing->lines == 1 ? "" : "s"));
+    }
+    for (const std::string& side : fairing->tangent_only) {
+        result.notes.push_back(side +
+                               ": continuous curvature would cost gap or angle, tangent only");
+    }
     if (layout->kind != mvs::LayoutKind::Development) {
         result.notes.push_back(fmt::format(
             "the boundary turns by {:.1f} deg on its neighbours and crosses itself when unrolled: "

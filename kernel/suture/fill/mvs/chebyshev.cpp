@@ -99,15 +99,4 @@ Eigen::MatrixXd chebyshev_derivative(const Eigen::MatrixXd& coefficients) {
     return result;
 }
 
-Eigen::VectorXd evaluate_chebyshev(const Eigen::MatrixXd& coefficients, double s) {
-    const double x2 = 2.0 * (2.0 * s - 1.0);
-    Eigen::VectorXd b1 = Eigen::VectorXd::Zero(coefficients.rows());
-    Eigen::VectorXd b2 = b1;
-    for (Eigen::Index k = coefficients.cols() - 1; k >= 1; --k) {
-        b2 = x2 * b1 - b2 + coefficients.col(k);
-        b1.swap(b2);
-    }
-    return 0.5 * x2 * b1 - b2 + coefficients.col(0);
-}
-
 }  // namespace suture::mvs

@@ -27,7 +27,20 @@ namespace suture::mvs {
 /// The derivative with respect to s; one coefficient less, but at least one.
 [[nodiscard]] Eigen::MatrixXd chebyshev_derivative(const Eigen::MatrixXd& coefficients);
 
-/// Clenshaw's sum at s in [0,1].
-[[nodiscard]] Eigen::VectorXd evaluate_chebyshev(const Eigen::MatrixXd& coefficients, double s);
+/// Clenshaw's sum at s in [0,1]. Rows: as many as the coefficients have, known to the compiler
+/// where a curve is walked point by point.
+template <int Rows>
+[[nodiscard]] Eigen::Matrix<double, Rows, 1> evaluate_chebyshev(
+    const Eigen::Matrix<double, Rows, Eigen::Dynamic>& coefficients, double s) {
+    using Vector = Eigen::Matrix<double, Rows, 1>;
+    const double x2 = 2.0 * (2.0 * s - 1.0);
+    Vector b1 = Vector::Zero(coefficients.rows());
+    Vector b2 = b1;
+    for (Eigen::Index k = coefficients.cols() - 1; k >= 1; --k) {
+        b2 = x2 * b1 - b2 + coefficients.col(k);
+        b1.swap(b2);
+    }
+    return 0.5 * x2 * b1 - b2 + coefficients.col(0);
+}
 
 }  // namespace suture::mvs

@@ -6,10 +6,39 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 namespace suture::mvs {
+namespace {
+
+// Steps across a span at whose ends the normal is looked at.
+constexpr int kLooksPerSpan = 3;
+
+// Places along an axis at which the normal is looked at.
+struct Looks {
+    std::vector<double> at;
+    std::vector<BasisRow> rows;
+
+    explicit Looks(const Axis& axis) {
+        for (int k = 0; k < axis.spans(); ++k) {
+            for (int q = 0; q < kLooksPerSpan && !axis.empty(k); ++q) {
+                at.push_back(axis.lower(k) + (axis.upper(k) - axis.lower(k)) * q / kLooksPerSpan);
+                rows.push_back(basis_row(axis, k, at.back()));
+            }
+        }
+    }
+    // The last one that is not above t, and the next.
+    [[nodiscard]] std::array<std::size_t, 2> beside(double t) const {
+        const auto above =
+            static_cast<std::size_t>(std::upper_bound(at.begin(), at.end(), t) - at.begin());
+        return {std::max<std::size_t>(above, 1) - 1, std::min(above, at.size() - 1)};
+    }
+};
+
+}  // namespace
 
 Miss miss(const Net& net, const BoundarySample& sample) {
     const BasisRow u = basis_row(net.u, sample.uv.x());
@@ -45,37 +74,60 @@ Miss worst_miss(const Net& net, const std::vector<BoundarySample>& samples) {
 }
 
 double regularity(const Net& net, const std::vector<Eigen::Matrix2Xd>& polygons) {
-    // Two points a span and direction see every fold that is not smaller than a span.
-    constexpr int kPerSpan = 2;
+    const auto normal_at = [&](const BasisRow& u, const BasisRow& v) {
+        const Eigen::Matrix<double, 3, 2> E =
+            net.local_poles(u.first, v.first) * local_basis(u, v).leftCols<2>();
+        return Eigen::Vector3d(E.col(0).cross(E.col(1)));
+    };
     double least = std::numeric_limits<double>::infinity();
     double sum = 0.0;
     int count = 0;
-    const auto look = [&](const Eigen::Vector2d& uv) {
-        const BasisRow u = basis_row(net.u, uv.x());
-        const BasisRow v = basis_row(net.v, uv.y());
-        const Eigen::Matrix<double, 3, 2> E =
-            net.local_poles(u.first, v.first) * local_basis(u, v).leftCols<2>();
-        const double area = E.col(0).cross(E.col(1)).norm();
+    const auto look = [&](const Eigen::Vector3d& normal) {
+        const double area = normal.norm();
         least = std::min(least, area);
         sum += area;
         ++count;
     };
-    for (const Eigen::Matrix2Xd& polygon : polygons) {
-        for (Eigen::Index k = 0; k < polygon.cols(); ++k) {
-            look(polygon.col(k));
+    // Between a point and the next the normal does not turn over.
+    const auto compare = [&](const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+        if (a.dot(b) < 0.0) {
+            least = std::min(least, -std::min(a.norm(), b.norm()));
+        }
+    };
+    const Looks u(net.u);
+    const Looks v(net.v);
+    std::vector<std::optional<Eigen::Vector3d>> grid(u.rows.size() * v.rows.size());
+    const auto at = [&](std::size_t i, std::size_t j) -> std::optional<Eigen::Vector3d>& {
+        return grid[i + u.rows.size() * j];
+    };
+    for (std::size_t j = 0; j < v.rows.size(); ++j) {
+        const std::vector<double> cut = crossings(polygons, v.at[j]);
+        for (std::size_t i = 0; i < u.rows.size(); ++i) {
+            if ((std::lower_bound(cut.begin(), cut.end(), u.at[i]) - cut.begin()) % 2 == 0) {
+                continue;
+            }
+            at(i, j) = normal_at(u.rows[i], v.rows[j]);
+            look(*at(i, j));
+            if (i > 0 && at(i - 1, j)) {
+                compare(*at(i, j), *at(i - 1, j));
+            }
+            if (j > 0 && at(i, j - 1)) {
+                compare(*at(i, j), *at(i, j - 1));
+            }
         }
     }
-    for (int j = 0; j < kPerSpan * net.v.spans(); ++j) {
-        const int b = j / kPerSpan;
-        const double t = (j % kPerSpan + 0.5) / kPerSpan;
-        const double v = net.v.lower(b) + t * (net.v.upper(b) - net.v.lower(b));
-        const std::vector<double> cut = crossings(polygons, v);
-        for (int i = 0; i < kPerSpan * net.u.spans(); ++i) {
-            const int a = i / kPerSpan;
-            const double s = (i % kPerSpan + 0.5) / kPerSpan;
-            const double u = net.u.lower(a) + s * (net.u.upper(a) - net.u.lower(a));
-            if ((std::lower_bound(cut.begin(), cut.end(), u) - cut.begin()) % 2 == 1) {
-                look({u, v});
+    for (const Eigen::Matrix2Xd& polygon : polygons) {
+        for (Eigen::Index k = 0; k < polygon.cols(); ++k) {
+            const Eigen::Vector2d uv = polygon.col(k);
+            const Eigen::Vector3d normal =
+                normal_at(basis_row(net.u, uv.x()), basis_row(net.v, uv.y()));
+            look(normal);
+            for (const std::size_t i : u.beside(uv.x())) {
+                for (const std::size_t j : v.beside(uv.y())) {
+                    if (at(i, j)) {
+                        compare(normal, *at(i, j));
+                    }
+                }
             }
         }
     }

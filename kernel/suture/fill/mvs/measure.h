@@ -18,7 +18,8 @@ struct Miss {
 /// The largest of each over all samples.
 [[nodiscard]] Miss worst_miss(const Net& net, const std::vector<BoundarySample>& samples);
 
-/// The least area element |X_u x X_v| over the domain inside closed polygons, against their mean.
+/// The least area element |X_u x X_v| over the domain inside closed polygons, against their mean:
+/// negative where the normal turns over between points a third of a span apart.
 [[nodiscard]] double regularity(const Net& net, const std::vector<Eigen::Matrix2Xd>& polygons);
 
 }  // namespace suture::mvs

@@ -61,8 +61,11 @@ Eigen::MatrixXd refine(const Axis& coarse, const Axis& fine, const Eigen::Matrix
 }
 
 BasisRow basis_row(const Axis& axis, double t) {
-    const int span = find_span(axis.knots, kDegree, t);
-    return {span - kDegree, basis_derivatives(axis.knots, kDegree, span, t, 3)};
+    return basis_row(axis, axis.span_of(t), t);
+}
+
+BasisRow basis_row(const Axis& axis, int span, double t) {
+    return {span, basis_derivatives(axis.knots, kDegree, span + kDegree, t, 3)};
 }
 
 LocalBasis local_basis(const BasisRow& u, const BasisRow& v) {
@@ -129,6 +132,9 @@ std::vector<Eigen::MatrixXd> gram_matrices(const Axis& axis) {
     const GaussRule& rule = gauss_rule(kOrder);
     std::vector<Eigen::MatrixXd> gram(4, Eigen::MatrixXd::Zero(axis.count(), kOrder));
     for (int k = 0; k < axis.spans(); ++k) {
+        if (axis.empty(k)) {
+            continue;
+        }
         const double h = axis.upper(k) - axis.lower(k);
         for (std::size_t q = 0; q < rule.nodes.size(); ++q) {
             const BasisRow row = basis_row(axis, axis.lower(k) + h * rule.nodes[q]);

@@ -13,7 +13,8 @@ inline constexpr int kOrder = kDegree + 1;      ///< basis functions on a span
 inline constexpr int kLocal = kOrder * kOrder;  ///< on a span of the net
 inline constexpr int kDerivatives = 9;          ///< in the order of variation.h
 
-/// One direction of the net: a clamped knot vector with simple knots inside.
+/// One direction of the net: a clamped knot vector. Inside are simple knots, and those of knot
+/// lines (knot_lines.h), four in one place, between which spans are empty.
 struct Axis {
     std::vector<double> knots;
 
@@ -23,7 +24,12 @@ struct Axis {
         return knots[static_cast<std::size_t>(span + kDegree)];
     }
     [[nodiscard]] double upper(int span) const { return lower(span + 1); }
-    /// The span 0 <= k < spans() that holds t.
+    [[nodiscard]] bool empty(int span) const { return !(upper(span) > lower(span)); }
+    /// Whether the span ends at a knot line.
+    [[nodiscard]] bool beside_line(int span) const {
+        return (span > 0 && empty(span - 1)) || (span + 1 < spans() && empty(span + 1));
+    }
+    /// The span 0 <= k < spans() that holds t, never an empty one.
     [[nodiscard]] int span_of(double t) const;
 };
 
@@ -43,6 +49,8 @@ struct BasisRow {
     Eigen::Matrix<double, 4, kOrder> values;  ///< row d: d-th derivatives
 };
 [[nodiscard]] BasisRow basis_row(const Axis& axis, double t);
+/// The same of a given span, at whose ends too.
+[[nodiscard]] BasisRow basis_row(const Axis& axis, int span, double t);
 
 /// The 36 products of two rows: column d holds derivative d of variation.h.
 using LocalBasis = Eigen::Matrix<double, kLocal, kDerivatives>;

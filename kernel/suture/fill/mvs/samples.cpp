@@ -118,6 +118,8 @@ std::vector<Station> stations(const std::vector<double>& cuts, bool ends) {
 constexpr double kBend = 0.5;
 // The part of the shorter side over which disagreeing normals at a corner are felt.
 constexpr double kReach = 0.05;
+// The same of disagreeing curvatures.
+constexpr double kCurvatureReach = 0.25;
 // Share of the boundary's length that an inner point stands for.
 constexpr double kInnerShare = 0.02;
 
@@ -131,7 +133,8 @@ struct Side {
     const Ribbon& ribbon;
     Eigen::Vector3d at_start, at_end;     // shifts towards the corners
     double mismatch_start, mismatch_end;  // of normals, in radians
-    double reach_start, reach_end;        // arc length over which that is felt
+    double twist_start, twist_end;        // of curvatures
+    double shorter_start, shorter_end;    // of the two sides at a corner: what is felt from there
     double length;
 
     [[nodiscard]] Eigen::Vector3d shift(double s) const {
@@ -139,9 +142,17 @@ struct Side {
     }
     // walked: arc length from the start.
     [[nodiscard]] double unmet(double walked) const {
-        const double from_start = std::max(0.0, 1.0 - walked / reach_start);
-        const double from_end = std::max(0.0, 1.0 - (length - walked) / reach_end);
+        const double from_start = std::max(0.0, 1.0 - walked / (kReach * shorter_start));
+        const double from_end = std::max(0.0, 1.0 - (length - walked) / (kReach * shorter_end));
         return 0.5 * std::max(from_start * mismatch_start, from_end * mismatch_end);
+    }
+    // How much the nearer twisted corner is felt, 1 at the corner.
+    [[nodiscard]] double twisted(double walked) const {
+        const auto felt = [&](double twist, double distance, double shorter) {
+            return twist * length > kSameBend ? fade(distance / (kCurvatureReach * shorter)) : 0.0;
+        };
+        return std::max(felt(twist_start, walked, shorter_start),
+                        felt(twist_end, length - walked, shorter_end));
     }
 };
 
@@ -165,6 +176,12 @@ void sample_side(const Side& side, const DomainCurve& curve, const Scale& scale,
         sample.continuity = side.ribbon.continuity;
         sample.unmet_angle =
             sample.continuity >= Continuity::G1 ? side.unmet(station.part * side.length) : 0.0;
+        if (sample.continuity >= Continuity::G2) {
+            const double felt = side.twisted(station.part * side.length);
+            sample.curvature_weight = 1.0 - felt;
+            sample.unmet_curvature =
+                felt * std::max(side.twist_start, side.twist_end) * scale.length;
+        }
         samples.push_back(sample);
     }
 }
@@ -180,6 +197,14 @@ std::vector<Corner> corners_of(const RibbonLoop& loop) {
         const RibbonPoint before = previous.at(1.0);
         const RibbonPoint after = ribbon.at(0.0);
         corners[i].point = 0.5 * (before.point + after.point);
+        const Eigen::Matrix3d twist = before.curvature - after.curvature;
+        if (std::min(previous.continuity, ribbon.continuity) >= Continuity::G2) {
+            corners[i].twist = twist.norm();
+        } else if (previous.continuity >= Continuity::G2) {
+            corners[i].twist = (twist * after.tangent.normalized()).norm();
+        } else if (ribbon.continuity >= Continuity::G2) {
+            corners[i].twist = (twist * before.tangent.normalized()).norm();
+        }
         if (std::min(previous.continuity, ribbon.continuity) >= Continuity::G1) {
             corners[i].mismatch = std::atan2(before.normal.cross(after.normal).norm(),
                                              before.normal.dot(after.normal));
@@ -205,8 +230,10 @@ std::vector<BoundarySample> sample_boundary(const Hole& hole, const Domain& doma
                             corners[next].point - ribbon.at(1.0).point,
                             corners[i].mismatch,
                             corners[next].mismatch,
-                            kReach * std::min(length, laid.lengths[(i + n - 1) % n]),
-                            kReach * std::min(length, laid.lengths[next]),
+                            corners[i].twist,
+                            corners[next].twist,
+                            std::min(length, laid.lengths[(i + n - 1) % n]),
+                            std::min(length, laid.lengths[next]),
                             length};
             BoundarySample sample;
             sample.loop = static_cast<int>(l);

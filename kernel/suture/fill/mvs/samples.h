@@ -33,6 +33,11 @@ struct BoundarySample {
     /// What no surface can meet here: near a corner at which the neighbours' normals disagree,
     /// half their angle, falling to zero away from it.
     double unmet_angle = 0.0;
+    /// The same of curvatures, along a side that asks for curvature.
+    double unmet_curvature = 0.0;
+    /// How much the curvature that is asked for counts here, 0 to 1: nothing at corners at which no
+    /// surface has it, so that it does not cost the tangent plane.
+    double curvature_weight = 1.0;
 };
 
 /// How densely a boundary is sampled: as finely as the net is divided where it runs.
@@ -54,9 +59,15 @@ struct Density {
                                                           const Scale& scale,
                                                           const Density& density, bool ends);
 
+/// Curvatures that bend a length by angles that differ by less than this are the same.
+inline constexpr double kSameBend = 1e-3;
+
 /// A corner of a loop, between ribbon i - 1 and ribbon i.
 struct Corner {
     double mismatch = 0.0;  ///< angle between the two normals, 0 where one side wants position only
+    /// What the second fundamental forms disagree in where that matters: a side that asks for
+    /// curvature fixes the whole form, one that asks for tangency its row along the side.
+    double twist = 0.0;
     Eigen::Vector3d point = Eigen::Vector3d::Zero();  ///< in the middle of the two ends
 };
 [[nodiscard]] std::vector<Corner> corners_of(const RibbonLoop& loop);

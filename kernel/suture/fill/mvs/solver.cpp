@@ -9,16 +9,19 @@ namespace {
 
 // Less damping lets the parametrisation wander, which costs steps and gains no shape.
 constexpr double kLeastDamping = 1e-2;
-// Damping grows and falls by this factor; so many times in a row, then the iteration is stuck.
+// Damping grows and falls by this factor. A step that does not descend is tried again with more,
+// by a factor that itself grows: four times cover ten powers of ten. Then the iteration is stuck.
 constexpr double kDampingFactor = 10.0;
-constexpr int kAttempts = 10;
+constexpr int kAttempts = 5;
 // Gain against prediction: above, the model may be trusted further; below, less.
 constexpr double kGoodRatio = 0.5;
 constexpr double kPoorRatio = 0.25;
 // This near to its prediction, a step was one of a linear problem.
 constexpr double kLinear = 0.1;
-// Changes of the objective by less than this part of it are rounding.
+// Changes of the objective by less than this part of it are rounding, and so are those by less than
+// this against its root: residuals are differences of positions of size 1.
 constexpr double kRounding = 1e-12;
+constexpr double kRoundingOfRoot = 1e-15;
 
 struct Step {
     Net net;
@@ -46,7 +49,7 @@ std::optional<Step> attempt(const System& system, const Net& net, const System::
     const Eigen::Matrix3Xd held = weight * system.damping().times(moves).transpose();
     const Eigen::VectorXd rest = held.reshaped();
     const double predicted = 0.5 * (change.dot(rest) - now.gradient.dot(change));
-    if (std::abs(gain) <= kRounding * now.objective) {
+    if (std::abs(gain) <= kRounding * now.objective + kRoundingOfRoot * std::sqrt(now.objective)) {
         return Step{std::move(moved)};
     }
     if (!(gain > 0.0)) {
@@ -65,10 +68,12 @@ Convergence minimise(const System& system, Net& net, const SolverOptions& option
         const System::Linearised now = system.linearise(net);
         const double tried = damping;
         std::optional<Step> step;
+        double factor = kDampingFactor;
         for (int k = 0; k < kAttempts && !step; ++k) {
             step = attempt(system, net, now, damping);
             if (!step) {
-                damping *= kDampingFactor;
+                damping *= factor;
+                factor *= kDampingFactor;
             }
         }
         if (!step) {

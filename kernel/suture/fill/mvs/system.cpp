@@ -19,6 +19,8 @@ namespace {
 // Gauss points a span and direction. The basis is C4, so that neighbouring spans share most of
 // their freedom and few points a span determine it: see docs/methods/mvs.md, "quadrature".
 constexpr int kQuadrature = 3;
+// Beside a line that freedom is a span's own.
+constexpr int kQuadratureBesideLine = 6;
 // The start: how much the speed across the boundary counts against position, and the flat energy.
 constexpr double kStartAcross = 1e-3;
 constexpr double kStartBending = 1e-6;
@@ -27,51 +29,58 @@ constexpr double kStartEnergy = 1e-8;
 }  // namespace
 
 System::System(Axis u, Axis v, const std::vector<Eigen::Matrix2Xd>& polygons,
-               std::vector<BoundarySample> samples, const Weights& weights)
+               std::vector<BoundarySample> samples, const std::vector<KnotLine>& lines,
+               const Weights& weights)
     : u_(std::move(u)),
       v_(std::move(v)),
       samples_(std::move(samples)),
       weights_(weights),
-      flat_(flat({0.0, 0.0, weights.parametrisation, weights.extension})),
-      damping_(flat({0.0, 0.0, 1.0, 0.0})) {
+      lines_(lines),
+      flat_(flat({0.0, 0.0, weights.parametrisation, weights.extension}, weights.jump)),
+      damping_(flat({0.0, 0.0, 1.0, 0.0}, 0.0)) {
     place_quadrature(polygons);
     place_samples();
 }
 
-void System::place_quadrature(const std::vector<Eigen::Matrix2Xd>& polygons) {
-    const GaussRule& rule = gauss_rule(kQuadrature);
-    const auto rows = [&](const Axis& axis) {
-        std::vector<BasisRow> result;
-        for (int k = 0; k < axis.spans(); ++k) {
-            for (const double node : rule.nodes) {
-                const double t = axis.lower(k) + node * (axis.upper(k) - axis.lower(k));
-                result.push_back(basis_row(axis, t));
-            }
+System::Nodes System::nodes_of(const Axis& axis) {
+    Nodes nodes;
+    for (int k = 0; k < axis.spans(); ++k) {
+        nodes.first.push_back(nodes.at.size());
+        if (axis.empty(k)) {
+            continue;
         }
-        return result;
-    };
-    u_rows_ = rows(u_);
-    v_rows_ = rows(v_);
+        const GaussRule& rule =
+            gauss_rule(axis.beside_line(k) ? kQuadratureBesideLine : kQuadrature);
+        const double width = axis.upper(k) - axis.lower(k);
+        for (std::size_t q = 0; q < rule.nodes.size(); ++q) {
+            nodes.at.push_back(axis.lower(k) + rule.nodes[q] * width);
+            nodes.weights.push_back(rule.weights[q] * width);
+            nodes.rows.push_back(basis_row(axis, nodes.at.back()));
+        }
+    }
+    nodes.first.push_back(nodes.at.size());
+    return nodes;
+}
+
+void System::place_quadrature(const std::vector<Eigen::Matrix2Xd>& polygons) {
+    u_nodes_ = nodes_of(u_);
+    v_nodes_ = nodes_of(v_);
+    const auto width = static_cast<std::size_t>(u_.spans());
     for (int j = 0; j < v_.spans(); ++j) {
         for (int i = 0; i < u_.spans(); ++i) {
             spans_.push_back({i, j, {}, {}});
         }
     }
-    for (int j = 0; j < v_.spans(); ++j) {
-        const double height = v_.upper(j) - v_.lower(j);
-        for (std::size_t q = 0; q < rule.nodes.size(); ++q) {
-            const std::vector<double> cut =
-                crossings(polygons, v_.lower(j) + rule.nodes[q] * height);
-            for (int i = 0; i < u_.spans(); ++i) {
-                Span& span = spans_[static_cast<std::size_t>(i + u_.spans() * j)];
-                const double width = u_.upper(i) - u_.lower(i);
-                for (std::size_t p = 0; p < rule.nodes.size(); ++p) {
-                    const double t = u_.lower(i) + rule.nodes[p] * width;
-                    const auto before = std::lower_bound(cut.begin(), cut.end(), t) - cut.begin();
+    for (std::size_t j = 0; j + 1 < v_nodes_.first.size(); ++j) {
+        for (std::size_t q = v_nodes_.first[j]; q < v_nodes_.first[j + 1]; ++q) {
+            const std::vector<double> cut = crossings(polygons, v_nodes_.at[q]);
+            for (std::size_t i = 0; i < width; ++i) {
+                for (std::size_t p = u_nodes_.first[i]; p < u_nodes_.first[i + 1]; ++p) {
+                    const auto before =
+                        std::lower_bound(cut.begin(), cut.end(), u_nodes_.at[p]) - cut.begin();
                     if (before % 2 == 1) {
-                        span.points.push_back({static_cast<std::size_t>(i) * rule.nodes.size() + p,
-                                               static_cast<std::size_t>(j) * rule.nodes.size() + q,
-                                               rule.weights[p] * width * rule.weights[q] * height});
+                        spans_[i + width * j].points.push_back(
+                            {p, q, u_nodes_.weights[p] * v_nodes_.weights[q]});
                         ++point_count_;
                     }
                 }
@@ -95,37 +104,92 @@ void System::place_samples() {
     }
 }
 
-BlockBand System::flat(const std::array<double, 4>& orders) const {
-    const std::vector<Eigen::MatrixXd> gu = gram_matrices(u_);
-    const std::vector<Eigen::MatrixXd> gv = gram_matrices(v_);
-    const int nu = u_.count();
-    const int nv = v_.count();
-    // |D^k X|^2 has the binomial coefficients as multiplicities of its components.
-    constexpr std::array<std::array<double, 4>, 4> kBinomial = {
-        {{1, 0, 0, 0}, {1, 1, 0, 0}, {1, 2, 1, 0}, {1, 3, 3, 1}}};
-    BlockBand result(nv, nu, kDegree);
+namespace {
+
+// result += the product of two symmetric bands, given by their upper diagonals, one a column.
+void add_product(const Eigen::MatrixXd& in_v, const Eigen::MatrixXd& in_u, double factor,
+                 BlockBand& result) {
+    const auto nu = static_cast<int>(in_u.rows());
+    const auto nv = static_cast<int>(in_v.rows());
     for (int j = 0; j < nv; ++j) {
         for (int dj = 0; dj <= std::min(kDegree, nv - 1 - j); ++dj) {
-            Eigen::MatrixXd band = Eigen::MatrixXd::Zero(nu, kOrder);
-            for (std::size_t order = 0; order < 4; ++order) {
-                for (std::size_t in_v = 0; in_v <= order; ++in_v) {
-                    band +=
-                        orders[order] * kBinomial[order][in_v] * gv[in_v](j, dj) * gu[order - in_v];
-                }
+            const double outer = factor * in_v(j, dj);
+            if (outer == 0.0) {
+                continue;
             }
             for (int i = 0; i < nu; ++i) {
                 for (int di = 0; di <= std::min(kDegree, nu - 1 - i); ++di) {
-                    result.column(j)(nu * dj + i + di, i) = band(i, di);
-                    result.column(j)(nu * dj + i, i + di) = band(i, di);
+                    const double value = outer * in_u(i, di);
+                    result.column(j)(nu * dj + i + di, i) += value;
+                    if (di > 0) {
+                        result.column(j)(nu * dj + i, i + di) += value;
+                    }
                 }
             }
         }
+    }
+}
+
+// Along a line: integrals of the products of its functions, weighted.
+Eigen::MatrixXd weighted_gram(const Axis& axis, const KnotLine& line) {
+    const GaussRule& rule = gauss_rule(kOrder);
+    Eigen::MatrixXd gram = Eigen::MatrixXd::Zero(axis.count(), kOrder);
+    for (int k = 0; k < axis.spans(); ++k) {
+        if (axis.empty(k)) {
+            continue;
+        }
+        const double h = axis.upper(k) - axis.lower(k);
+        for (std::size_t q = 0; q < rule.nodes.size(); ++q) {
+            const double t = axis.lower(k) + h * rule.nodes[q];
+            const BasisRow row = basis_row(axis, t);
+            const double weight = h * rule.weights[q] * line.weight(t);
+            for (int a = 0; a < kOrder; ++a) {
+                for (int b = a; b < kOrder; ++b) {
+                    gram(k + a, b - a) += weight * row.values(0, a) * row.values(0, b);
+                }
+            }
+        }
+    }
+    return gram;
+}
+
+// Across it: products of the functions' jumps.
+Eigen::MatrixXd jump_gram(const Axis& axis, double at) {
+    const JumpRow jump = jump_row(axis, at);
+    Eigen::MatrixXd gram = Eigen::MatrixXd::Zero(axis.count(), kOrder);
+    for (int a = 0; a < kOrder; ++a) {
+        for (int b = a; b < kOrder; ++b) {
+            gram(jump.first + a, b - a) = jump.values.col(a).dot(jump.values.col(b));
+        }
+    }
+    return gram;
+}
+
+}  // namespace
+
+BlockBand System::flat(const std::array<double, 4>& orders, double jump) const {
+    const std::vector<Eigen::MatrixXd> gu = gram_matrices(u_);
+    const std::vector<Eigen::MatrixXd> gv = gram_matrices(v_);
+    // |D^k X|^2 has the binomial coefficients as multiplicities of its components.
+    constexpr std::array<std::array<double, 4>, 4> kBinomial = {
+        {{1, 0, 0, 0}, {1, 1, 0, 0}, {1, 2, 1, 0}, {1, 3, 3, 1}}};
+    BlockBand result(v_.count(), u_.count(), kDegree);
+    for (std::size_t order = 0; order < 4; ++order) {
+        for (std::size_t in_v = 0; in_v <= order; ++in_v) {
+            add_product(gv[in_v], gu[order - in_v], orders[order] * kBinomial[order][in_v], result);
+        }
+    }
+    for (const KnotLine& line : lines_) {
+        const bool of_u = line.axis == 0;
+        const Eigen::MatrixXd across = jump_gram(of_u ? u_ : v_, line.at);
+        const Eigen::MatrixXd along = weighted_gram(of_u ? v_ : u_, line);
+        add_product(of_u ? along : across, of_u ? across : along, jump, result);
     }
     return result;
 }
 
 LocalBasis System::basis_at(const QuadraturePoint& point) const {
-    return local_basis(u_rows_[point.u_row], v_rows_[point.v_row]);
+    return local_basis(u_nodes_.rows[point.u_row], v_nodes_.rows[point.v_row]);
 }
 
 System::Residuals System::residuals(std::size_t sample, const LocalPoles& poles) const {
@@ -144,7 +208,8 @@ System::Residuals System::residual_weights(std::size_t sample) const {
     Residuals w;
     w.head<3>().setConstant(s.length);
     w[3] = s.continuity >= Continuity::G1 ? s.length * weights_.angle : 0.0;
-    w[4] = s.continuity >= Continuity::G2 ? s.length * weights_.curvature : 0.0;
+    w[4] =
+        s.continuity >= Continuity::G2 ? s.length * s.curvature_weight * weights_.curvature : 0.0;
     return w;
 }
 
@@ -152,7 +217,7 @@ Net System::start() const {
     BlockBand matrix(v_.count(), 3 * u_.count(), kDegree);
     // A little second-order energy: on a circle whose sides ask for position only, the third-order
     // energy leaves the paraboloid through it free.
-    matrix.add_per_component(flat({0.0, 0.0, kStartBending, 1.0}), kStartEnergy);
+    matrix.add_per_component(flat({0.0, 0.0, kStartBending, 1.0}, weights_.jump), kStartEnergy);
     Eigen::VectorXd right = Eigen::VectorXd::Zero(matrix.rows());
     for (const Span& span : spans_) {
         if (span.samples.empty()) {
@@ -340,7 +405,7 @@ double System::objective(const Net& net) const {
 
 void System::set_weights(const Weights& weights) {
     weights_ = weights;
-    flat_ = flat({0.0, 0.0, weights.parametrisation, weights.extension});
+    flat_ = flat({0.0, 0.0, weights.parametrisation, weights.extension}, weights.jump);
 }
 
 double System::normal_move(const Net& net, const Net& moved) const {
@@ -351,7 +416,8 @@ double System::normal_move(const Net& net, const Net& moved) const {
         for (const QuadraturePoint& point : span.points) {
             const Derivatives X = poles.lazyProduct(basis_at(point));
             const Eigen::Vector3d n = X.col(0).cross(X.col(1)).normalized();
-            const LocalValues values = local_values(u_rows_[point.u_row], v_rows_[point.v_row]);
+            const LocalValues values =
+                local_values(u_nodes_.rows[point.u_row], v_nodes_.rows[point.v_row]);
             largest = std::max(largest, std::abs(n.dot(change * values)));
         }
     }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "suture/fill/mvs/block_cholesky.h"
+#include "suture/fill/mvs/knot_lines.h"
 #include "suture/fill/mvs/net.h"
 #include "suture/fill/mvs/samples.h"
 
@@ -18,18 +19,22 @@ struct Weights {
     double extension = 1e-8;        ///< of the flat third-order term over the box, against energy
     double angle = 0.03;            ///< of the squared angle to the neighbour, against position
     double curvature = 1e-3;        ///< of the squared curvature error, likewise
+    double jump = 0.0;              ///< of the squared jumps across knot lines, against energy
 };
 
 /// What is minimised on one net: half the sum of
-///   energy * (integral of |grad II|^2 over the domain + flat terms over the box)
+///   energy * (integral of |grad II|^2 over the domain + flat terms over the box
+///             + jump * integrals along the knot lines of |[X_cc]|^2 + h^2 |[X_ccc]|^2)
 ///   + sum over the samples of length * (|X - c|^2 + angle (n . X_a)^2
 ///                                       + curvature (n . X_aa - II(X_a, X_a))^2),
-/// a for the direction across the boundary, c, n and II for the neighbour's.
+/// a for the direction across the boundary, c, n and II for the neighbour's, [ ] for the jump in
+/// the direction c across a line and h for the shorter span beside it.
 class System {
   public:
     /// Input    the loops of the domain's boundary as closed polygons (2 x count).
     System(Axis u, Axis v, const std::vector<Eigen::Matrix2Xd>& polygons,
-           std::vector<BoundarySample> samples, const Weights& weights);
+           std::vector<BoundarySample> samples, const std::vector<KnotLine>& lines,
+           const Weights& weights);
 
     /// The minimiser of the flat third-order energy that meets position and tangency and leaves the
     /// boundary at about unit speed: a linear problem.
@@ -90,7 +95,14 @@ class System {
 
     void place_quadrature(const std::vector<Eigen::Matrix2Xd>& polygons);
     void place_samples();
-    [[nodiscard]] BlockBand flat(const std::array<double, 4>& orders) const;
+    /// The Gauss points in one direction, span by span.
+    struct Nodes {
+        std::vector<BasisRow> rows;
+        std::vector<double> at, weights;
+        std::vector<std::size_t> first;  ///< of each span, and the end
+    };
+    [[nodiscard]] static Nodes nodes_of(const Axis& axis);
+    [[nodiscard]] BlockBand flat(const std::array<double, 4>& orders, double jump) const;
     [[nodiscard]] LocalBasis basis_at(const QuadraturePoint& point) const;
     [[nodiscard]] Residuals residuals(std::size_t sample, const LocalPoles& poles) const;
     [[nodiscard]] Residuals residual_weights(std::size_t sample) const;
@@ -103,8 +115,9 @@ class System {
     Axis u_, v_;
     std::vector<BoundarySample> samples_;
     Weights weights_;
-    std::vector<BasisRow> u_rows_, v_rows_;  // at the quadrature's nodes
-    std::vector<Span> spans_;                // u fastest
+    std::vector<KnotLine> lines_;
+    Nodes u_nodes_, v_nodes_;
+    std::vector<Span> spans_;  // u fastest
     std::vector<SampleBasis> sample_bases_;
     std::size_t point_count_ = 0;
     BlockBand flat_;  // one row a pole, like damping_

@@ -131,6 +131,29 @@ TEST(FillMvs, ClosesASuitcaseCornerOfAnyRadiusByASphere) {
     }
 }
 
+TEST(FillMvs, MeetsTheLengthToleranceOnLargePartsToo) {
+    for (const double radius : {1e3, 5e3, 1e4}) {
+        const Hole hole = zoo::suitcase_corner(radius);
+        const Measured m = filled(hole, {zoo::sphere(radius), {-1.0, -1.0}, {3.0, 1.5}});
+        EXPECT_LT(m.gap, std::max(1e-7, Tolerance().linear / hole.diameter)) << radius;
+    }
+}
+
+TEST(FillMvs, CurvatureThatCannotBeHadCostsNothingElsewhere) {
+    // The sphere of a suitcase corner has not the curvature of the cylinders beside it.
+    const Truth truth{zoo::sphere(1.0), {-1.0, -1.0}, {3.0, 1.5}};
+    const Measured tangent = filled(zoo::suitcase_corner(1.0), truth);
+    for (const std::size_t sides : {1U, 3U}) {
+        Hole hole = zoo::suitcase_corner(1.0);
+        for (std::size_t i = 0; i < sides; ++i) {
+            hole.loops[0].ribbons[i].continuity = Continuity::G2;
+        }
+        const Measured m = filled(hole, truth);
+        EXPECT_LT(m.angle_deg, std::max(1.2 * tangent.angle_deg, 0.01)) << sides;
+        EXPECT_LT(m.gap, std::max(1.2 * tangent.gap, 1e-5)) << sides;
+    }
+}
+
 TEST(FillMvs, ClosesAPipeByAHemisphere) {
     expect_exact(filled(zoo::pipe_end(1.0, 1), {zoo::sphere(1.0), {-4.0, 0.0}, {4.0, 1.6}}));
     expect_exact(filled(zoo::pipe_end(1.0, 4), {zoo::sphere(1.0), {-4.0, 0.0}, {4.0, 1.6}}));

@@ -1,0 +1,226 @@
+#include "suture/fill/mvs/levels.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace suture::mvs {
+namespace {
+
+Net first_net(const LinedLayout& lined, const Scale& scale, const Schedule& schedule,
+              int longer_spans) {
+    const Layout& layout = lined.layout;
+    const Eigen::Vector2d size = (layout.upper - layout.lower) / scale.length;
+    const double longer = size.maxCoeff();
+    const Eigen::Vector2d margin = Eigen::Vector2d::Constant(schedule.margin * longer);
+    const Eigen::Vector2d lower = layout.lower / scale.length - margin;
+    const Eigen::Vector2d upper = layout.upper / scale.length + margin;
+    const auto axis = [&](int c) {
+        const auto spans = static_cast<int>(std::ceil(longer_spans * size[c] / longer));
+        const double width = (upper[c] - lower[c]) / std::max(schedule.least_spans, spans);
+        return lined_axis(lower[c], upper[c], width, c, lined.lines);
+    };
+    return {axis(0), axis(1), {}};
+}
+
+}  // namespace
+
+double Levels::Goal::missed_by(const Miss& miss, const BoundarySample& sample) const {
+    return std::max(tangency_missed_by(miss, sample),
+                    miss.curvature / (curvature + sample.unmet_curvature));
+}
+
+double Levels::Goal::tangency_missed_by(const Miss& miss, const BoundarySample& sample) const {
+    return std::max(miss.gap / gap, miss.angle / (angle + sample.unmet_angle));
+}
+
+Levels::Levels(const Hole& hole, const LinedLayout& layout, const Scale& scale,
+               const FillOptions& options, const Schedule& schedule, int first_spans)
+    : hole_(hole),
+      lines_(layout.lines),
+      options_(options),
+      schedule_(schedule),
+      scale_(scale),
+      net_(first_net(layout, scale, schedule, first_spans)) {
+    domain_.loops.push_back(layout.layout);
+    const Tolerance& t = options.tolerance;
+    goal_.gap = std::clamp(schedule.gap_part * t.linear / scale.length, schedule.least_gap,
+                           schedule.most_gap);
+    goal_.angle = schedule.angle_part * t.angular;
+    goal_.curvature = schedule.curvature_part * t.curvature;
+}
+
+void Levels::sample_densely() {
+    measured_ =
+        sample_boundary(hole_, domain_, scale_,
+                        {net_.u, net_.v, schedule_.measured_per_span, schedule_.least_measured},
+                        /*ends=*/false);
+}
+
+void Levels::solve(const System& system, const SolverOptions& steps) {
+    steps_ += minimise(system, net_, steps, options_.progress).steps;
+}
+
+Weights Levels::with_lines(Weights weights) const {
+    weights.jump = lines_.empty() ? 0.0 : schedule_.jump;
+    return weights;
+}
+
+// Islands and inner points lie at their feet on a surface that does not know them yet, and then on
+// those that do.
+void Levels::lay_inside() {
+    if (hole_.loops.size() == 1 && hole_.through.empty()) {
+        return;
+    }
+    Hole outer;
+    outer.loops = {hole_.loops.front()};
+    const auto boundary = [&](const Hole& hole, bool ends) {
+        return sample_boundary(
+            hole, domain_, scale_,
+            {net_.u, net_.v, schedule_.samples_per_span, schedule_.least_samples}, ends);
+    };
+    const System alone(net_.u, net_.v, polygons_of(boundary(outer, false)), boundary(outer, true),
+                       lines_, with_lines(schedule_.rough));
+    net_ = alone.start();
+    solve(alone, schedule_.rough_steps);
+    lay_on_surface(net_, scale_, hole_, domain_);
+    for (int k = 0; k < schedule_.relayed; ++k) {
+        sample_densely();
+        const System together = system(with_lines(schedule_.rough));
+        net_ = together.start();
+        solve(together, schedule_.rough_steps);
+        lay_on_surface(net_, scale_, hole_, domain_);
+    }
+}
+
+System Levels::system(const Weights& weights) const {
+    const Density density{net_.u, net_.v, schedule_.samples_per_span, schedule_.least_samples};
+    return System(net_.u, net_.v, polygons_of(measured_),
+                  sample_boundary(hole_, domain_, scale_, density, /*ends=*/true), lines_, weights);
+}
+
+bool Levels::good_enough() const {
+    const bool large = net_.poles.cols() > schedule_.cheap_poles;
+    return missed_by_ <= (large ? schedule_.good_enough / schedule_.angle_part : 1.0);
+}
+
+int Levels::patience(double missed_by) const {
+    return missed_by <= schedule_.within / schedule_.angle_part ? 1
+           : poor_                                              ? schedule_.poor_patience
+                                                                : schedule_.patience;
+}
+
+void Levels::measure() {
+    misses_.clear();
+    missed_by_ = 0.0;
+    poor_ = false;
+    for (const BoundarySample& sample : measured_) {
+        misses_.push_back(miss(net_, sample));
+        poor_ = poor_ || misses_.back().angle > schedule_.poor_angle;
+        missed_by_ = std::max(missed_by_, goal_.missed_by(misses_.back(), sample));
+    }
+}
+
+void Levels::keep_least_spans(const Axis& axis, std::vector<bool>& marked) const {
+    const double part = lines_.empty() ? schedule_.least_span : schedule_.least_span_with_lines;
+    const double least = part * (axis.knots.back() - axis.knots.front());
+    for (int k = 0; k < axis.spans(); ++k) {
+        if (axis.upper(k) - axis.lower(k) < 2.0 * least) {
+            marked[static_cast<std::size_t>(k)] = false;
+        }
+    }
+}
+
+// The net with the spans halved through which the boundary is missed by more than this.
+std::pair<Axis, Axis> Levels::finer(double limit) const {
+    std::vector<bool> u(static_cast<std::size_t>(net_.u.spans()), false);
+    std::vector<bool> v(static_cast<std::size_t>(net_.v.spans()), false);
+    for (std::size_t k = 0; k < measured_.size(); ++k) {
+        if (goal_.missed_by(misses_[k], measured_[k]) > limit) {
+            u[static_cast<std::size_t>(net_.u.span_of(measured_[k].uv.x()))] = true;
+            v[static_cast<std::size_t>(net_.v.span_of(measured_[k].uv.y()))] = true;
+        }
+    }
+    keep_least_spans(net_.u, u);
+    keep_least_spans(net_.v, v);
+    return {halved(net_.u, u), halved(net_.v, v)};
+}
+
+// Halves spans where that is needed most. False where none is left to halve, or even the worst take
+// too many poles.
+bool Levels::refine() {
+    const int most = lines_.empty() ? schedule_.most_poles : schedule_.most_poles_with_lines;
+    for (double part = poor_ ? schedule_.roughly_marked : schedule_.marked; part < 1.0;
+         part *= 2.0) {
+        const auto [u, v] = finer(std::max(1.0, part * missed_by_));
+        if (u.count() + v.count() == net_.u.count() + net_.v.count()) {
+            return false;
+        }
+        if (std::max(u.count(), v.count()) <= most) {
+            net_ = mvs::refine(net_, u, v);
+            return true;
+        }
+    }
+    return false;
+}
+
+Result<Fairing> Levels::run() {
+    lay_inside();
+    sample_densely();
+    System first = system(with_lines(schedule_.rough));
+    net_ = first.start();
+    solve(first, schedule_.rough_steps);
+    first.set_weights(with_lines(schedule_.exact));
+    solve(first, schedule_.exact_steps);
+    measure();
+    Weights weights = with_lines(schedule_.fine);
+    const double least_energy =
+        lines_.empty() ? schedule_.least_energy : schedule_.least_energy_with_lines;
+    Net best = net_;
+    Domain best_domain = domain_;
+    double least = missed_by_;
+    for (int level = 1, idle = 0;
+         level < schedule_.levels && !good_enough() && idle < patience(least); ++level) {
+        options_.progress(static_cast<double>(level) / schedule_.levels, "fairing");
+        if (!refine()) {
+            break;
+        }
+        lay_on_surface(net_, scale_, hole_, domain_);
+        sample_densely();
+        solve(system(weights), schedule_.fine_steps);
+        measure();
+        const bool nearer = missed_by_ <= schedule_.progress * least;
+        idle = nearer ? 0 : idle + 1;
+        if (!nearer) {
+            weights.jump = std::min(weights.jump, schedule_.least_jump);
+        }
+        if (missed_by_ < least) {
+            least = missed_by_;
+            best = net_;
+            best_domain = domain_;
+        }
+        weights.energy = std::max(schedule_.energy_factor * weights.energy, least_energy);
+    }
+    net_ = best;
+    domain_ = best_domain;
+    sample_densely();
+    measure();
+    double tangency = 0.0;
+    for (std::size_t k = 0; k < measured_.size(); ++k) {
+        tangency = std::max(tangency, goal_.tangency_missed_by(misses_[k], measured_[k]));
+    }
+    if (options_.progress.cancelled()) {
+        return fail(ErrorCode::Cancelled, "cancelled after {} steps", steps_);
+    }
+    return Fairing{net_,
+                   scale_,
+                   worst_miss(net_, measured_),
+                   missed_by_ * schedule_.angle_part,
+                   tangency * schedule_.angle_part,
+                   regularity(net_, polygons_of(measured_)),
+                   steps_,
+                   lines_.size(),
+                   domain_,
+                   {}};
+}
+
+}  // namespace suture::mvs

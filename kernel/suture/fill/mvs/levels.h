@@ -1,0 +1,65 @@
+#pragma once
+
+#include "suture/base/result.h"
+#include "suture/fill/fill.h"
+#include "suture/fill/mvs/domain.h"
+#include "suture/fill/mvs/fairing.h"
+#include "suture/fill/mvs/knot_lines.h"
+#include "suture/fill/mvs/measure.h"
+#include "suture/fill/mvs/schedule.h"
+#include "suture/fill/mvs/system.h"
+
+#include <utility>
+#include <vector>
+
+namespace suture::mvs {
+
+/// One way from a coarse net to finer ones, until the boundary is met: a rough fair shape first,
+/// then the exact functional, then knots where the boundary is missed.
+class Levels {
+  public:
+    /// Input    first_spans: along the longer side of the first net's box. What is referred to has
+    /// to
+    ///          outlive this.
+    Levels(const Hole& hole, const LinedLayout& layout, const Scale& scale,
+           const FillOptions& options, const Schedule& schedule, int first_spans);
+
+    [[nodiscard]] Result<Fairing> run();
+
+  private:
+    /// What is asked for at the boundary, in the solver's unit.
+    struct Goal {
+        double gap = 0.0, angle = 0.0, curvature = 0.0;
+        [[nodiscard]] double missed_by(const Miss& miss, const BoundarySample& sample) const;
+        [[nodiscard]] double tangency_missed_by(const Miss& miss,
+                                                const BoundarySample& sample) const;
+    };
+
+    void measure();
+    [[nodiscard]] bool good_enough() const;
+    [[nodiscard]] int patience(double missed_by) const;
+    [[nodiscard]] std::pair<Axis, Axis> finer(double limit) const;
+    void keep_least_spans(const Axis& axis, std::vector<bool>& marked) const;
+    [[nodiscard]] bool refine();
+    [[nodiscard]] System system(const Weights& weights) const;
+    [[nodiscard]] Weights with_lines(Weights weights) const;
+    void lay_inside();
+    void sample_densely();
+    void solve(const System& system, const SolverOptions& steps);
+
+    const Hole& hole_;
+    const std::vector<KnotLine>& lines_;
+    const FillOptions& options_;
+    const Schedule& schedule_;
+    Scale scale_;
+    Domain domain_;
+    Goal goal_;
+    Net net_;
+    std::vector<BoundarySample> measured_;
+    std::vector<Miss> misses_;
+    double missed_by_ = 0.0;
+    bool poor_ = false;
+    int steps_ = 0;
+};
+
+}  // namespace suture::mvs
