@@ -70,6 +70,27 @@ std::vector<PartRequest> empty_requests(const FillRequest& request, std::size_t 
     return result;
 }
 
+/// Without a choice: every part with a loop that is to be filled.
+Result<std::vector<PartRequest>> all_holes(const FillRequest& request,
+                                           const std::vector<PartLoops>& parts) {
+    std::vector<PartRequest> result;
+    for (PartRequest& part : empty_requests(request, parts.size())) {
+        const auto& loops = parts[part.part].loops;
+        if (std::any_of(loops.begin(), loops.end(), [&](const BoundaryLoop& loop) {
+                return loop.kind == LoopKind::Hole ||
+                       (request.all_loops && loop.kind != LoopKind::Seam);
+            })) {
+            result.push_back(std::move(part));
+        }
+    }
+    if (result.empty()) {
+        return fail(ErrorCode::NothingToDo, "the model has no hole{}", what_else(parts));
+    }
+    return result;
+}
+
+}  // namespace
+
 std::string what_else(const std::vector<PartLoops>& parts) {
     int rims = 0;
     int seams = 0;
@@ -94,27 +115,6 @@ std::string what_else(const std::vector<PartLoops>& parts) {
     }
     return text;
 }
-
-/// Without a choice: every part with a loop that is to be filled.
-Result<std::vector<PartRequest>> all_holes(const FillRequest& request,
-                                           const std::vector<PartLoops>& parts) {
-    std::vector<PartRequest> result;
-    for (PartRequest& part : empty_requests(request, parts.size())) {
-        const auto& loops = parts[part.part].loops;
-        if (std::any_of(loops.begin(), loops.end(), [&](const BoundaryLoop& loop) {
-                return loop.kind == LoopKind::Hole ||
-                       (request.all_loops && loop.kind != LoopKind::Seam);
-            })) {
-            result.push_back(std::move(part));
-        }
-    }
-    if (result.empty()) {
-        return fail(ErrorCode::NothingToDo, "the model has no hole{}", what_else(parts));
-    }
-    return result;
-}
-
-}  // namespace
 
 Result<std::vector<PartRequest>> divide_request(const FillRequest& request,
                                                 const std::vector<PartLoops>& parts,

@@ -3,6 +3,7 @@
 #include "cli/load.h"
 #include "suture/fill_holes.h"
 
+#include <string>
 #include <vector>
 
 namespace suture::cli {
@@ -21,5 +22,9 @@ struct PartRequest {
 [[nodiscard]] Result<std::vector<PartRequest>> divide_request(const FillRequest& request,
                                                               const std::vector<PartLoops>& parts,
                                                               int edges_in_model);
+
+/// "; it has 2 rims of open sheets (--all-loops fills them)": the loops that are no holes, and how
+/// to fill them; empty if there is none.
+[[nodiscard]] std::string what_else(const std::vector<PartLoops>& parts);
 
 }  // namespace suture::cli

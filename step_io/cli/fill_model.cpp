@@ -127,7 +127,11 @@ class FillJob {
         }
         // A model that only needed sewing is done; it is written below.
         const bool done = model_.sewing.changed && requests.error().code == ErrorCode::NothingToDo;
-        return done ? Result<void>() : tl::unexpected(requests.error());
+        if (!done) {
+            return tl::unexpected(requests.error());
+        }
+        summary_.other_loops = what_else(parts_);
+        return {};
     }
 
     /// Positions and directions among the method's options are given in the model too.

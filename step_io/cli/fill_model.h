@@ -52,6 +52,7 @@ struct FillSummary {
     Validity validity;
     MeasuredOn measured_on = MeasuredOn::Memory;
     SewingFacts sewing;
+    std::string other_loops;  ///< where no loop is a hole: what else there is, and how to fill it
     io::ModelFile file;
     FillSeconds seconds;
     TopoDS_Shape before;                 ///< the model as it was, loose faces sewn

@@ -162,7 +162,7 @@ std::string verdict_of(const Counts& counts, const FillSummary& summary,
     std::string text;
     const int wanted = counts.filled + counts.refused;
     if (wanted == 0) {
-        text = "no hole to fill; " + text_of(summary.sewing);
+        text = "no hole to fill; " + text_of(summary.sewing) + summary.other_loops;
     } else {
         text = fmt::format("filled {} of {}", counts.filled, counted(wanted, "hole"));
         const Tolerance& tolerance = settings.request.tolerance;

@@ -97,6 +97,13 @@ class Sewing(Case):
         self.expect_refused(run("sew", out, "-o", again), NOTHING, "nothing to sew")
         self.assertFalse(again.exists())
 
+    def test_rim_of_sewn_sheets_comes_with_the_hint_how_to_fill_it(self):
+        sheets = CAD / "files" / "goteborg.step"
+        if not sheets.exists():
+            self.skipTest(f"needs {sheets}")
+        finished = self.expect(run("fill", sheets, "-o", self.folder / "out.step"), DONE)
+        self.assertIn("--all-loops", finished.out)
+
     def test_no_sew_leaves_all_as_it_is(self):
         file = self.given("sewing/closed_by_two_shells.step")
         document = self.expect(run("inspect", file, "--no-sew", "--json"), NOTHING).json
