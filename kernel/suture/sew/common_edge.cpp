@@ -37,6 +37,9 @@ constexpr double kMargin = 1.02;
 /// A pcurve that keeps this close to the gap need not be made anew.
 constexpr double kNearGap = 1.2;
 
+/// A pcurve need not be nearer to the feet than this share of the gap that they leave.
+constexpr double kShareOfGap = 0.01;
+
 /// In parameters: far more than rounding, far less than a period.
 constexpr double kSamePcurve = 1e-3;
 
@@ -115,7 +118,7 @@ Handle<Geom2d_Curve> moved_pcurve(const OwnPcurve& own, double first, double las
 
 /// The edge's own foot points on the surface, looked for where the other edge lies.
 Handle<Geom2d_Curve> foot_pcurve(const Geometry& geometry, const OwnPcurve& own,
-                                 const EdgePart& gone, bool same_way) {
+                                 const EdgePart& gone, bool same_way, double gap) {
     const BRepAdaptor_Curve curve(gone.edge);
     const auto beside = [&](double t) -> Eigen::Vector2d {
         const double share = (t - geometry.first) / (geometry.last - geometry.first);
@@ -133,7 +136,7 @@ Handle<Geom2d_Curve> foot_pcurve(const Geometry& geometry, const OwnPcurve& own,
     const auto feet = foot_points(geometry.curve, geometry.first, geometry.last, geometry.surface,
                                   beside, {foot(geometry.first), foot(geometry.last)});
     return fit_pcurve(feet, geometry.first, geometry.last, *geometry.surface,
-                      0.1 * Precision::Confusion());
+                      std::max(0.1 * Precision::Confusion(), kShareOfGap * gap));
 }
 
 struct Placed {
@@ -158,7 +161,7 @@ struct Placed {
 }  // namespace
 
 std::optional<double> add_other_face(const EdgePart& kept, const EdgePart& gone, bool same_way,
-                                     TopoDS_Edge& common) {
+                                     double gap, TopoDS_Edge& common) {
     Geometry geometry;
     TopLoc_Location of_curve;
     geometry.curve = BRep_Tool::Curve(common, of_curve, geometry.first, geometry.last);
@@ -175,13 +178,11 @@ std::optional<double> add_other_face(const EdgePart& kept, const EdgePart& gone,
         return std::nullopt;
     }
     const gp_Pnt2d middle = own.curve->Value(0.5 * (own.from + own.to));
-    const double gap = geometry.surface->Value(middle.X(), middle.Y())
-                           .Distance(geometry.curve->Value(0.5 * (geometry.first + geometry.last)));
     const double good = std::max(Precision::Confusion(), kNearGap * gap);
     Placed best;
     best.better(geometry, [&] { return moved_pcurve(own, geometry.first, geometry.last); });
     if (best.distance > good) {
-        best.better(geometry, [&] { return foot_pcurve(geometry, own, gone, same_way); });
+        best.better(geometry, [&] { return foot_pcurve(geometry, own, gone, same_way, gap); });
     }
     if (best.pcurve.IsNull()) {
         return std::nullopt;

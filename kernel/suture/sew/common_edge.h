@@ -21,10 +21,10 @@ struct EdgePart {
 /// Gives the kept edge a pcurve on the other's face.
 ///
 /// Input    common: a forward edge with the curve, the range and the pcurves of `kept`, changed in
-///          place; same_way: the curves of `kept` and `gone` run the same way.
+///          place; same_way: the curves of `kept` and `gone` run the same way; gap: between these.
 /// Result   the largest distance of the curve on the other's face from the edge, or nothing: the
 ///          two faces lie on one surface and both use it the same way.
 [[nodiscard]] std::optional<double> add_other_face(const EdgePart& kept, const EdgePart& gone,
-                                                   bool same_way, TopoDS_Edge& common);
+                                                   bool same_way, double gap, TopoDS_Edge& common);
 
 }  // namespace suture

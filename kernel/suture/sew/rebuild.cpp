@@ -149,7 +149,7 @@ class Rebuilder {
         TopoDS_Vertex end = vertex_of_place_[places_.of(pair.kept.end)];
         TopoDS_Edge common = part_of(pair.kept.edge, pair.kept.first, pair.kept.last, start, end);
         const auto distance =
-            add_other_face(part(pair.kept), part(pair.gone), pair.same_way, common);
+            add_other_face(part(pair.kept), part(pair.gone), pair.same_way, pair.gap, common);
         if (!distance) {
             return;
         }
