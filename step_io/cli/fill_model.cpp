@@ -5,11 +5,14 @@
 #include "cli/reread.h"
 #include "files/read.h"
 #include "files/stated_accuracy.h"
+#include "suture/flow/compute.h"
+#include "suture/flow/plan.h"
 #include "suture/judge/judge_fill.h"
 #include "suture/occ/convert.h"
 
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
+#include <tbb/parallel_for.h>
 #include <tbb/task_group.h>
 
 #include <BRepAdaptor_Curve.hxx>
@@ -17,6 +20,8 @@
 #include <TopoDS.hxx>
 
 #include <algorithm>
+#include <mutex>
+#include <numeric>
 #include <optional>
 #include <utility>
 
@@ -182,24 +187,64 @@ class FillJob {
         return {};
     }
 
-    Result<void> fill() {
-        const Stopwatch watch;
-        const double share =
-            (kFilled - kFound) / static_cast<double>(std::max<std::size_t>(1, requests_.size()));
-        double from = kFound;
-        for (PartRequest& wanted : requests_) {
+    /// What is to be put into one part.
+    struct ComputedPart {
+        FillPlan plan;
+        std::vector<ComputedFill> fills;
+    };
+
+    static Result<ComputedPart> compute(const PartLoops& part, const FillRequest& request) {
+        auto plan = plan_fills(part.part.shape, part.numbering, request);
+        if (!plan) {
+            return tl::unexpected(plan.error());
+        }
+        auto fills = compute_fills(part.part.shape, *plan, request);
+        if (!fills) {
+            return tl::unexpected(fills.error());
+        }
+        return ComputedPart{std::move(*plan), std::move(*fills)};
+    }
+
+    /// Plans and computes for all parts at once; none is changed.
+    std::vector<Result<ComputedPart>> compute_parts() {
+        const Progress all = run_.stage(Stage::Filling, "filling holes", kFound, kFilled);
+        std::mutex reporting;
+        std::vector<double> fractions(requests_.size(), 0.0);
+        std::vector<Result<ComputedPart>> computed(requests_.size());
+        tbb::parallel_for(std::size_t{0}, requests_.size(), [&](std::size_t i) {
+            PartRequest& wanted = requests_[i];
             const PartLoops& part = parts_[wanted.part];
-            wanted.request.progress =
-                run_.stage(Stage::Filling, "filling holes", from, from + share);
-            from += share;
             for (int& id : wanted.request.leave_open) {
                 id -= part.ids_before;
             }
+            wanted.request.progress.cancel = all.cancel;
+            wanted.request.progress.report = [&, i](double fraction, std::string_view what) {
+                const std::lock_guard lock(reporting);
+                fractions[i] = fraction;
+                all(std::accumulate(fractions.begin(), fractions.end(), 0.0) /
+                        static_cast<double>(fractions.size()),
+                    what);
+            };
+            computed[i] = compute(part, wanted.request);
+        });
+        return computed;
+    }
+
+    Result<void> fill() {
+        const Stopwatch watch;
+        std::vector<Result<ComputedPart>> computed = compute_parts();
+        for (std::size_t i = 0; i < requests_.size(); ++i) {
+            const PartLoops& part = parts_[requests_[i].part];
+            if (!computed[i]) {
+                return tl::unexpected(computed[i].error());
+            }
             Result<FillOutcome> outcome =
-                fill_holes(part.part.shape, part.numbering, wanted.request);
+                apply_fills(part.part.shape, std::move(computed[i]->fills));
             if (!outcome) {
                 return tl::unexpected(outcome.error());
             }
+            const std::vector<HoleReport>& skipped = computed[i]->plan.skipped;
+            outcome->holes.insert(outcome->holes.end(), skipped.begin(), skipped.end());
             for (HoleReport& hole : outcome->holes) {
                 place_in_model(hole, part);
             }
