@@ -137,7 +137,7 @@ Result<std::vector<ComputedFill>> compute_fills(const TopoDS_Shape& shape, const
     std::vector<ComputedFill> computed(plan.holes.size());
     std::mutex reporting;
     std::size_t done = 0;
-    request.progress(0.0, fmt::format("filling {} hole(s)", plan.holes.size()));
+    request.progress(0.0, fmt::format("filling holes, 0 of {} done", plan.holes.size()));
     FillRequest one = request;
     one.progress.report = {};  // the methods' own fractions would run over each other
     tbb::parallel_for(std::size_t{0}, plan.holes.size(), [&](std::size_t i) {
@@ -148,7 +148,7 @@ Result<std::vector<ComputedFill>> compute_fills(const TopoDS_Shape& shape, const
         const std::lock_guard lock(reporting);
         ++done;
         request.progress(static_cast<double>(done) / static_cast<double>(plan.holes.size()),
-                         fmt::format("filled {} of {} hole(s)", done, plan.holes.size()));
+                         fmt::format("filling holes, {} of {} done", done, plan.holes.size()));
     });
     if (request.progress.cancelled()) {
         return fail(ErrorCode::Cancelled, "stopped while filling");
