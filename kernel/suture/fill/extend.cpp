@@ -1,27 +1,10 @@
 #include "suture/fill/extend.h"
 
 #include "suture/base/contract.h"
-#include "suture/fill/extend/chart.h"
-#include "suture/fill/extend/cut.h"
-#include "suture/fill/extend/region.h"
-#include "suture/fill/extend/sphere_frame.h"
-#include "suture/fill/extend/trace.h"
-
-#include <Eigen/Geometry>
-
-#include <algorithm>
-#include <cmath>
-#include <memory>
-#include <optional>
+#include "suture/fill/extend/trimmed.h"
 
 namespace suture {
 namespace {
-
-using Eigen::Vector2d;
-using Eigen::Vector3d;
-using extend::Chart;
-using extend::Region;
-using extend::Trace;
 
 /// The surface all sides share, or the two sides that differ.
 Result<const Support*> common_support(const Hole& hole, const FillOptions& options) {
@@ -45,124 +28,6 @@ Result<const Support*> common_support(const Hole& hole, const FillOptions& optio
     return &*first.support;
 }
 
-/// Whether the outside is -(X_u x X_v); the neighbours must agree.
-Result<bool> reversed_on(const Chart& chart, const Hole& hole) {
-    int outward = 0;
-    int inward = 0;
-    for (const RibbonLoop& loop : hole.loops) {
-        for (const Ribbon& ribbon : loop.ribbons) {
-            const Vector2d uv = chart.uv(ribbon, 0.5);
-            const SurfaceJet jet = evaluate(chart.surface, uv.x(), uv.y());
-            ++(jet.u.cross(jet.v).dot(ribbon.at(0.5).normal) > 0.0 ? outward : inward);
-        }
-    }
-    if (outward > 0 && inward > 0) {
-        return fail(ErrorCode::Refused,
-                    "{} of the {} sides have their neighbour oriented against the others'",
-                    std::min(outward, inward), outward + inward);
-    }
-    return inward > 0;
-}
-
-/// Turns a closed form about its axis so that what was u is u - angle.
-void turn(Surface& surface, double angle) {
-    std::visit(
-        [&](auto& form) {
-            using T = std::decay_t<decltype(form)>;
-            if constexpr (!std::is_same_v<T, SplineSurface> && !std::is_same_v<T, Plane>) {
-                Frame& frame = form.frame;
-                const Vector3d x = std::cos(angle) * frame.x + std::sin(angle) * frame.y;
-                frame.x = x.normalized();
-                frame.y = frame.z.cross(frame.x);
-            }
-        },
-        surface);
-}
-
-/// The traces' bounds.
-struct Box {
-    Vector2d low = Vector2d::Constant(INFINITY);
-    Vector2d high = Vector2d::Constant(-INFINITY);
-};
-
-Box bounds_of(const std::vector<Trace>& traces) {
-    Box box;
-    for (const Trace& trace : traces) {
-        box.low = box.low.cwiseMin(trace.low());
-        box.high = box.high.cwiseMax(trace.high());
-    }
-    return box;
-}
-
-void shift_all(const Vector2d& by, std::vector<Trace>& traces, std::optional<Seam>& seam) {
-    for (Trace& trace : traces) {
-        trace.shift(by);
-    }
-    if (seam) {
-        seam->from += by;
-        seam->to += by;
-    }
-}
-
-/// As a share of the period: the hole's border may lie beside the surface's own by rounding.
-constexpr double kRounding = 1e-9;
-
-/// The B-spline on a domain that holds the hole: beyond its borders its outermost polynomials go
-/// on; where it is closed and its seam runs through the hole, it is cut open elsewhere.
-void make_room(SplineSurface& spline, const Vector2d& period, std::vector<Trace>& traces,
-               std::optional<Seam>& seam) {
-    Box box = bounds_of(traces);
-    for (const int c : {0, 1}) {
-        const auto domain = [&] {
-            const auto& knots = c == 0 ? spline.knots_u : spline.knots_v;
-            return std::pair(knots.front(), knots.back());
-        };
-        const auto [begin, end] = domain();
-        const double slack = kRounding * period[c];
-        if (!(period[c] > 0.0)) {
-            continue;
-        }
-        if (!(seam && seam->period[c] != 0.0)) {
-            const double turns = std::floor((box.low[c] - begin + slack) / period[c]);
-            shift_all(-turns * period[c] * Vector2d::Unit(c), traces, seam);
-            box.low[c] -= turns * period[c];
-            box.high[c] -= turns * period[c];
-            if (box.high[c] > end + slack) {
-                // Less than one period of it, so that no point has two places.
-                const double beside = 0.25 * (period[c] - (box.high[c] - box.low[c]));
-                const double low = box.low[c] - beside;
-                const double high = box.high[c] + beside;
-                spline = c == 0
-                             ? restricted(repeated_u(spline, 3, 1), low, high, -INFINITY, INFINITY)
-                             : restricted(repeated_v(spline, 3, 1), -INFINITY, INFINITY, low, high);
-            }
-        }
-        // Rounding must not make it longer than its period.
-        box.low[c] = std::max(box.low[c], domain().first);
-        box.high[c] = std::min(box.high[c], domain().second);
-    }
-    spline = extended(spline, box.low.x(), box.high.x(), box.low.y(), box.high.y());
-}
-
-/// The closed form turned about its axis so that its own seam lies on the cut, or else opposite to
-/// the hole.
-void make_room(Surface& form, std::vector<Trace>& traces, std::optional<Seam>& seam) {
-    const Box box = bounds_of(traces);
-    const bool around = seam && seam->period.x() != 0.0;
-    const double angle = around ? std::min(seam->from.x(), seam->from.x() + seam->period.x())
-                                : 0.5 * (box.low.x() + box.high.x()) - kPi;
-    turn(form, angle);
-    shift_all({-angle, 0.0}, traces, seam);
-}
-
-/// Islands into the period of the loop around them.
-void gather(const Chart& chart, int outer, std::vector<Trace>& traces) {
-    const Vector2d centre = traces[static_cast<std::size_t>(outer)].centre();
-    for (Trace& trace : traces) {
-        trace.shift(extend::nearest(trace.centre(), centre, chart.period) - trace.centre());
-    }
-}
-
 }  // namespace
 
 Result<FillResult> fill_extend(const Hole& hole, const FillOptions& options) {
@@ -171,49 +36,18 @@ Result<FillResult> fill_extend(const Hole& hole, const FillOptions& options) {
     if (!support) {
         return tl::unexpected(support.error());
     }
-    Chart chart = extend::chart_of((*support)->surface, options.tolerance.linear, hole.diameter);
-    const auto reversed = reversed_on(chart, hole);
+    const Surface& surface = (*support)->surface;
+    const auto reversed = extend::reversed_on(surface, extend::own_parameters, hole);
     if (!reversed) {
         return tl::unexpected(reversed.error());
     }
-    if (auto* sphere = std::get_if<Sphere>(&chart.surface)) {
-        sphere->frame = extend::sphere_frame(*sphere, hole, *reversed);
-    }
-    std::vector<Trace> traces;
-    for (const RibbonLoop& loop : hole.loops) {
-        traces.push_back(extend::unwrap(chart, extend::sample_loop(chart, loop), *reversed));
-    }
-    const auto region = extend::region_of(chart, traces, *reversed);
-    if (!region) {
-        return tl::unexpected(region.error());
-    }
-    Patch patch;
-    if (region->kind == Region::Kind::Disc) {
-        gather(chart, region->outer, traces);
-    } else {
-        const auto seam = extend::cut_open(chart, *region, traces, hole.tolerance);
-        if (!seam) {
-            return tl::unexpected(seam.error());
-        }
-        patch.seam = *seam;
-    }
-    if (auto* spline = std::get_if<SplineSurface>(&chart.surface)) {
-        make_room(*spline, chart.period, traces, patch.seam);
-    } else if (chart.period.x() > 0.0) {
-        make_room(chart.surface, traces, patch.seam);
-    }
-    patch.surface = chart.surface;
-    patch.reversed = *reversed;
-    const auto shared = std::make_shared<const Chart>(std::move(chart));
-    for (std::size_t l = 0; l < hole.loops.size(); ++l) {
-        patch.pole_corners.push_back(traces[l].pole_corners);
-        auto& row = patch.trims.emplace_back();
-        for (std::size_t i = 0; i < hole.loops[l].ribbons.size(); ++i) {
-            row.push_back(extend::trim_of(shared, hole.loops[l].ribbons[i], traces[l].sides[i]));
-        }
+    auto patch =
+        extend::trimmed(surface, extend::own_parameters, *reversed, hole, options.tolerance.linear);
+    if (!patch) {
+        return tl::unexpected(patch.error());
     }
     FillResult result;
-    result.patches.push_back(std::move(patch));
+    result.patches.push_back(std::move(*patch));
     return result;
 }
 

@@ -5,6 +5,7 @@
 #include "suture/fill/manifold.h"
 #include "suture/fill/mvs.h"
 #include "suture/fill/plane.h"
+#include "suture/fill/recognise.h"
 #include "suture/fill/tube.h"
 
 #include <array>
@@ -15,6 +16,9 @@ std::span<const FillMethod> fill_methods() {
     static const std::array kMethods = {
         FillMethod{"extend", "Continues the surface on which all neighbours lie", "exact", "any",
                    Continuity::G2, &fill_extend},
+        FillMethod{"recognise", "Gives back the very face that was lost, where its border tells it",
+                   "Pottmann & Randrup 1998; Lukacs, Marshall & Martin 1997", "any", Continuity::G2,
+                   &fill_recognise},
         FillMethod{"plane", "Closes a planar loop by a plane", "exact", "any", Continuity::G0,
                    &fill_plane},
         FillMethod{"mvs", "The surface whose curvature varies least, as one biquintic face",

@@ -87,9 +87,13 @@ double from_axis(const Surface& surface, const Vector3d& point) {
 
 }  // namespace
 
+Vector2d own_parameters(const Ribbon& ribbon, double s) {
+    return ribbon.support->uv(s);
+}
+
 Vector2d Chart::uv(const Ribbon& ribbon, double s) const {
     if (std::holds_alternative<SplineSurface>(surface)) {
-        return ribbon.support->uv(s);
+        return locate(ribbon, s);
     }
     const RibbonPoint p = ribbon.at(s);
     Vector2d result = parameters_of(surface, p.point);

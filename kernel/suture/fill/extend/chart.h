@@ -5,7 +5,7 @@
 
 #include <Eigen/Core>
 
-#include <array>
+#include <functional>
 #include <vector>
 
 namespace suture::extend {
@@ -19,9 +19,16 @@ struct Pole {
     double slack = 0.0;  ///< how near to `value` counts as in the pole
 };
 
+/// Where a ribbon lies in the domain of a B-spline, up to periods.
+using Locate = std::function<Eigen::Vector2d(const Ribbon& ribbon, double s)>;
+
+/// Of a B-spline that is the neighbours' own: as they have it.
+[[nodiscard]] Eigen::Vector2d own_parameters(const Ribbon& ribbon, double s);
+
 /// The surface to be continued, and how its domain closes.
 struct Chart {
     Surface surface;
+    Locate locate;                                     ///< of a B-spline
     Eigen::Vector2d period = Eigen::Vector2d::Zero();  ///< in u, v; 0 where it does not close
     std::vector<Pole> poles;
 

@@ -1,0 +1,140 @@
+#include "suture/fill/recognise/agreement.h"
+
+#include "suture/base/tolerance.h"
+#include "suture/fill/recognise/form.h"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace suture::recognise {
+namespace {
+
+using Eigen::Vector3d;
+
+/// Right surfaces of clean files come within this; where the file is worse, within three times its
+/// noise, at most twice as far; where it is much worse, within 1.5 times its noise.
+constexpr double kGap = 3e-5;
+constexpr double kGapOfNoisy = 6e-5;
+constexpr double kNoisy = 4e-5;
+
+/// A side is tangent if its median angle is within this, and enough of the border has to be.
+constexpr double kAngle = radians(0.1);
+constexpr double kTangent = 0.6;
+
+/// Within these a plane explains a border as well; then the surface has to be so much better.
+constexpr double kPlaneAngle = radians(5.0);
+constexpr double kBetterThanPlane = 100.0;
+
+/// The plane nearest to the border.
+Surface plane_of(const Border& border) {
+    const Vector3d mean = border.points.rowwise().mean();
+    const Eigen::Matrix3Xd d = border.points.colwise() - mean;
+    const Eigen::Matrix3d S = d * d.transpose();
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(S);
+    return Plane{frame_along(mean, eigen.eigenvectors().col(0))};
+}
+
+/// Of angles to the normal of the best plane, the median over the border; and the plane's gap.
+std::pair<double, double> flatness(const Border& border) {
+    const Surface plane = plane_of(border);
+    const Vector3d z = frame_of(plane).z;
+    std::vector<double> angles;
+    double gap = 0.0;
+    for (Eigen::Index k = 0; k < border.points.cols(); ++k) {
+        const Vector3d n = border.normals.col(k);
+        angles.push_back(std::atan2(n.cross(z).norm(), std::abs(n.dot(z))));
+        gap = std::max(gap, std::abs(distance_to(plane, border.points.col(k)).value));
+    }
+    std::nth_element(angles.begin(), angles.begin() + angles.size() / 2, angles.end());
+    return {gap, angles[angles.size() / 2]};
+}
+
+}  // namespace
+
+Agreement measure(const FootFinder& foot, const Border& border) {
+    Agreement result;
+    double length = 0.0;
+    double tangent_length = 0.0;
+    int tangent_sides = 0;
+    for (const Side& side : border.sides) {
+        std::array<double, Border::kSamples> angles{};
+        int along = 0;
+        for (int k = 0; k < Border::kSamples; ++k) {
+            const Foot f = foot(border.origin + border.size * border.points.col(side.first + k));
+            const Vector3d n = border.normals.col(side.first + k);
+            const double cosine = f.normal.dot(n);
+            along += cosine > 0.0 ? 1 : -1;
+            angles[static_cast<std::size_t>(k)] =
+                std::atan2(f.normal.cross(n).norm(), std::abs(cosine));
+            result.gap = std::max(result.gap, f.distance / border.size);
+        }
+        std::nth_element(angles.begin(), angles.begin() + Border::kSamples / 2, angles.end());
+        const double median = angles[Border::kSamples / 2];
+        length += side.length;
+        if (median <= kAngle) {
+            result.angle = std::max(result.angle, median);
+            tangent_length += side.length;
+            ++tangent_sides;
+            ++(along > 0 ? result.outward : result.inward);
+            result.faces.push_back(side.ribbon->face);
+        }
+    }
+    const auto sides = static_cast<double>(border.sides.size());
+    result.tangent = std::max(tangent_length / length, tangent_sides / sides);
+    return result;
+}
+
+Agreement measure(const Surface& form, const Border& border) {
+    Agreement result = measure(
+        [&](const Vector3d& point) {
+            const Distance d = distance_to(form, border.to_local(point));
+            return Foot{std::abs(d.value) * border.size, d.normal};
+        },
+        border);
+    result.plane = std::holds_alternative<Plane>(form);
+    return result;
+}
+
+double largest_gap(const Border& border) {
+    return border.noise > kNoisy ? 1.5 * border.noise
+                                 : std::max(kGap, std::min(3.0 * border.noise, kGapOfNoisy));
+}
+
+Result<void> believe(const Agreement& agreement, const Border& border, Evidence evidence,
+                     double allowed) {
+    const double limit = std::max(largest_gap(border), allowed);
+    if (!(agreement.gap <= limit)) {
+        return fail(ErrorCode::Refused,
+                    "the border lies off by {:.2g} of the hole's diameter, limit {:.2g}",
+                    agreement.gap, limit);
+    }
+    if (evidence == Evidence::Fit && agreement.tangent < kTangent) {
+        return fail(ErrorCode::Refused,
+                    "{:.0f} % of the border is tangent to its neighbours, limit {:.0f} %",
+                    100.0 * agreement.tangent, 100.0 * kTangent);
+    }
+    if (agreement.outward > 0 && agreement.inward > 0) {
+        return fail(ErrorCode::Refused,
+                    "{} of the {} tangent sides have their neighbour's outside on the other side",
+                    std::min(agreement.outward, agreement.inward),
+                    agreement.outward + agreement.inward);
+    }
+    if (evidence == Evidence::Model) {
+        return {};
+    }
+    const auto [gap, angle] = flatness(border);
+    if (!agreement.plane && angle < kPlaneAngle && agreement.gap > gap / kBetterThanPlane &&
+        agreement.angle > angle / kBetterThanPlane) {
+        return fail(ErrorCode::Refused,
+                    "the border is so nearly flat ({:.2g} of its diameter) that the fit says "
+                    "nothing",
+                    gap);
+    }
+    return {};
+}
+
+}  // namespace suture::recognise

@@ -1,0 +1,54 @@
+#pragma once
+
+#include "suture/base/result.h"
+#include "suture/fill/recognise/border.h"
+
+#include <Eigen/Core>
+
+#include <functional>
+
+namespace suture::recognise {
+
+/// Where a point of the border stands to a surface, in model units: its distance, and the
+/// surface's unit normal X_u x X_v at the foot.
+struct Foot {
+    double distance = 0.0;
+    Eigen::Vector3d normal = Eigen::Vector3d::Zero();
+};
+using FootFinder = std::function<Foot(const Eigen::Vector3d& point)>;
+
+/// How well a surface fits a border.
+struct Agreement {
+    double gap = 0.0;        ///< largest distance of the border, as a share of the hole's diameter
+    double angle = 0.0;      ///< largest median angle of the sides that are tangent, radians
+    double tangent = 0.0;    ///< share of the border, by length or by sides, that is tangent
+    int outward = 0;         ///< tangent sides whose outside is X_u x X_v
+    int inward = 0;          ///< ... and -(X_u x X_v)
+    bool plane = false;      ///< it is a plane itself
+    std::vector<int> faces;  ///< tangent neighbours, FaceN
+
+    [[nodiscard]] bool reversed() const { return inward > outward; }
+};
+
+[[nodiscard]] Agreement measure(const FootFinder& foot, const Border& border);
+
+/// Of a closed form in the border's own coordinates.
+[[nodiscard]] Agreement measure(const Surface& form, const Border& border);
+
+/// The largest gap, as a share of the diameter, at which a surface is believed to be the one that
+/// the border was cut from.
+[[nodiscard]] double largest_gap(const Border& border);
+
+/// What speaks for a surface besides its agreement.
+enum class Evidence {
+    Fit,   ///< nothing: it was fitted to this border
+    Model  ///< a face of the model lies on it, so that sides on it may be sharp
+};
+
+/// Input    allowed: a gap, as a share of the diameter, that is not held against it in any case.
+/// Refuses  a border that lies off, neighbours that meet the surface in another normal, and a
+///          surface that says no more than a plane would, with the figures.
+[[nodiscard]] Result<void> believe(const Agreement& agreement, const Border& border,
+                                   Evidence evidence = Evidence::Fit, double allowed = 0.0);
+
+}  // namespace suture::recognise

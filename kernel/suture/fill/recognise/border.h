@@ -1,0 +1,48 @@
+#pragma once
+
+#include "suture/model/ribbon.h"
+#include "suture/model/surface.h"
+
+#include <Eigen/Core>
+
+#include <vector>
+
+namespace suture::recognise {
+
+/// One side of a hole among the samples.
+struct Side {
+    const Ribbon* ribbon = nullptr;
+    int loop = 0;
+    int first = 0;        ///< of its samples
+    double length = 0.0;  ///< as a share of the hole's diameter
+};
+
+/// The hole's border as evenly spaced samples in coordinates (p - origin) / size, in which the hole
+/// is about as large as the unit ball.
+struct Border {
+    Eigen::Vector3d origin = Eigen::Vector3d::Zero();
+    double size = 1.0;
+    Eigen::Matrix3Xd points;
+    Eigen::Matrix3Xd normals;  ///< unit, of the neighbours, outward
+    std::vector<Side> sides;
+    double noise = 0.0;     ///< how far the neighbours themselves miss each other here
+    double rounding = 0.0;  ///< what a coordinate of the model is good to
+
+    static constexpr int kSamples = 24;  ///< a side
+
+    [[nodiscard]] int count() const { return static_cast<int>(points.cols()); }
+    [[nodiscard]] Eigen::Vector3d to_local(const Eigen::Vector3d& p) const {
+        return (p - origin) / size;
+    }
+    /// All points, in model units.
+    [[nodiscard]] Eigen::Matrix3Xd model_points() const {
+        return (size * points).colwise() + origin;
+    }
+    /// A closed form of the model in the border's coordinates, and back.
+    [[nodiscard]] Surface to_local(const Surface& surface) const;
+    [[nodiscard]] Surface to_model(const Surface& surface) const;
+};
+
+[[nodiscard]] Border border_of(const Hole& hole);
+
+}  // namespace suture::recognise

@@ -1,0 +1,201 @@
+#include "suture/fill/recognise/plain.h"
+
+#include "suture/base/tolerance.h"
+#include "suture/fill/recognise/form.h"
+#include "suture/fill/recognise/refine.h"
+
+#include <Eigen/Geometry>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+namespace suture::recognise {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr double kGrowth = 1.15;
+/// Of the coordinates' own rounding: below this a fit is exact.
+constexpr double kExact = 8.0;
+/// Directions, positions and sizes further away than this are others.
+constexpr double kNear = 1e-3;
+/// A plain number has to lie nearer than this share of its own step, or it is one by chance.
+constexpr double kByChance = 0.01;
+
+constexpr double kInch = 25.4;
+
+/// Steps of plain lengths, coarse ones first.
+constexpr double kLengths[] = {10.0, 5.0,          1.0,   0.5,         0.25,
+                               0.1,  kInch / 16,   0.05,  kInch / 32,  kInch / 64,
+                               0.01, kInch / 1000, 0.001, kInch * 1e-4};
+constexpr double kAngles[] = {radians(15.0), radians(5.0), radians(1.0), radians(0.5),
+                              radians(0.1)};
+
+/// The multiples of the steps that lie so near to a value that it is not by chance.
+std::vector<double> round_values(double value, std::span<const double> steps) {
+    std::vector<double> result;
+    for (const double step : steps) {
+        const double round = std::round(value / step) * step;
+        if (round > 0.0 && std::abs(round - value) < kByChance * step) {
+            result.push_back(round);
+        }
+    }
+    return result;
+}
+
+class Plain {
+  public:
+    Plain(const Surface& form, const Border& border)
+        : border_(border), form_(form), rms_(rms(form, border)) {
+        hold_.sizes.resize(sizes_of(form_).size(), false);
+    }
+
+    PlainForm make() {
+        if (!std::holds_alternative<Sphere>(form_)) {
+            direction();
+        }
+        for (std::size_t i = 0; i < hold_.sizes.size(); ++i) {
+            size(i);
+        }
+        return {form_, facts_};
+    }
+
+  private:
+    const Border& border_;
+    Surface form_;
+    double rms_;
+    Hold hold_;
+    std::vector<std::string> facts_;
+
+    bool keep(const Surface& start, const Hold& hold) {
+        const Surface tried = refine(start, border_, hold);
+        const double now = rms(tried, border_);
+        if (!sensible(tried) || now > std::max(kGrowth * rms_, kExact * border_.rounding)) {
+            return false;
+        }
+        form_ = tried;
+        hold_ = hold;
+        return true;
+    }
+
+    /// The form with another axis, its reference point as near as possible.
+    [[nodiscard]] Surface with_axis(const Vector3d& point, const Vector3d& along) const {
+        Surface result = form_;
+        Frame& frame = frame_of(result);
+        const Vector3d z = along.dot(frame.z) < 0.0 ? Vector3d(-along) : along;
+        frame = frame_along(point + z * z.dot(frame.origin - point), z);
+        return result;
+    }
+
+    void direction() {
+        const Frame here = frame_of(form_);
+        const bool turned = !std::holds_alternative<Plane>(form_);
+        for (const Side& side : border_.sides) {
+            const auto& support = side.ribbon->support;
+            if (!support || !closed_form(support->surface) ||
+                std::holds_alternative<Sphere>(support->surface)) {
+                continue;
+            }
+            const Frame axis = frame_of(border_.to_local(support->surface));
+            if (axis.z.cross(here.z).norm() > kNear) {
+                continue;
+            }
+            const bool has_axis = !std::holds_alternative<Plane>(support->surface);
+            Hold hold = hold_;
+            hold.direction = true;
+            if (turned && has_axis && axis.z.cross(here.origin - axis.origin).norm() < kNear) {
+                hold.axis = true;
+                if (keep(with_axis(axis.origin, axis.z), hold)) {
+                    facts_.push_back(fmt::format("axis that of face {}", side.ribbon->face));
+                    return;
+                }
+                hold.axis = false;
+            }
+            if (keep(with_axis(here.origin, axis.z), hold)) {
+                facts_.push_back(
+                    has_axis ? fmt::format("axis parallel to face {}'s", side.ribbon->face)
+                             : fmt::format("axis at right angles to face {}", side.ribbon->face));
+                return;
+            }
+        }
+        for (const Vector3d& axis : {Vector3d(Vector3d::UnitX()), Vector3d(Vector3d::UnitY()),
+                                     Vector3d(Vector3d::UnitZ())}) {
+            Hold hold = hold_;
+            hold.direction = true;
+            if (axis.cross(here.z).norm() < kNear && keep(with_axis(here.origin, axis), hold)) {
+                return;
+            }
+        }
+    }
+
+    /// Tries a size, in the border's unit.
+    bool try_size(std::size_t i, double value) {
+        Surface start = form_;
+        double& target = *sizes_of(start)[i];
+        if (std::abs(value - target) > kNear * std::abs(target)) {
+            return false;
+        }
+        target = value;
+        Hold hold = hold_;
+        hold.sizes[i] = true;
+        return keep(start, hold);
+    }
+
+    void size(std::size_t i) {
+        const bool angle = std::holds_alternative<Cone>(form_) && i == 1;
+        if (std::holds_alternative<Cone>(form_) && i == 0) {
+            return;  // it only tells where the reference point lies
+        }
+        if (!angle && as_neighbour(i)) {
+            return;
+        }
+        const double unit = angle ? 1.0 : border_.size;
+        const double value = *sizes_of(form_)[i] * unit;
+        for (const double round : round_values(value, angle ? std::span<const double>(kAngles)
+                                                            : std::span<const double>(kLengths))) {
+            if (try_size(i, round / unit)) {
+                return;
+            }
+        }
+    }
+
+    bool as_neighbour(std::size_t i) {
+        for (const Side& side : border_.sides) {
+            if (!side.ribbon->support) {
+                continue;
+            }
+            Surface other = side.ribbon->support->surface;
+            const std::vector<double*> sizes = sizes_of(other);
+            for (const double* size : sizes) {
+                // A size that was already met exactly says nothing new, but names its source.
+                if (!std::holds_alternative<Cone>(other) && try_size(i, *size / border_.size)) {
+                    facts_.push_back(fmt::format("{} as of face {}",
+                                                 sizes_of(form_).size() == 2 && i == 0 ? "R" : "r",
+                                                 side.ribbon->face));
+                    return true;
+                }
+            }
+        }
+        return false;
+    }
+};
+
+}  // namespace
+
+PlainForm plain(const Surface& form, const Border& border) {
+    return Plain(form, border).make();
+}
+
+std::optional<double> find_round_length(double length, double slack) {
+    for (const double round : round_values(length, kLengths)) {
+        if (std::abs(round - length) <= slack) {
+            return round;
+        }
+    }
+    return std::nullopt;
+}
+
+}  // namespace suture::recognise
