@@ -166,8 +166,7 @@ std::vector<Proposal> balls_for(const Border& border, const Hole& hole, std::str
                 add_refusal("rolling ball", arcs.error().message, refusals);
                 continue;
             }
-            const auto foot = std::make_shared<const recognise::SurfaceFoot>(arcs->surface,
-                                                                             border.model_points());
+            const auto foot = std::make_shared<const recognise::SurfaceFoot>(arcs->surface);
             const Agreement agreement = recognise::measure(
                 [&](const Eigen::Vector3d& point) { return foot->foot(point); }, border);
             if (const auto believed = recognise::believe(agreement, border); !believed) {
