@@ -32,7 +32,7 @@ std::string program_on_demand(const char* name) {
         paths->dls_cnt = size.dls_cnt;
         if (dlinfo(self, RTLD_DI_SERINFO, paths) == 0) {
             for (unsigned i = 0; i < paths->dls_cnt; ++i) {
-                const std::string file = std::string(paths->dls_serpath[i].dls_name) + "/" + name;
+                std::string file = std::string(paths->dls_serpath[i].dls_name) + "/" + name;
                 if (access(file.c_str(), X_OK) == 0) {
                     return file;
                 }
