@@ -88,7 +88,8 @@ class Written(unittest.TestCase):
         if not model.exists():
             self.skipTest(f"no {model}")
         for ending in ("brep", "step"):
-            entry = fill(model, FOLDER / f"loose.{ending}")
+            # Sewn, its sheets would meet within their stated tolerance of 0.025.
+            entry = fill(model, FOLDER / f"loose.{ending}", "--no-sew")
             shape = self.shapes.read(FOLDER / f"loose.{ending}")
             self.assertLess(entry["max_gap"], 3e-4)
             self.assertLessEqual(

@@ -10,16 +10,13 @@
 namespace {
 
 // OpenBLAS knows processors by their model numbers, and gives those that are newer than itself the
-// kernels of 2004, a third as fast: the instruction sets tell it better. Said before main, while
-// there is one thread; what the user has set stands.
+// kernels of 2004: the instruction sets tell it better. Not those for AVX-512, which are younger
+// than much of what is installed and have been wrong. Said before main, while there is one thread;
+// what the user has set stands.
 [[maybe_unused]] const bool kKernelsNamed = [] {
 #ifdef __x86_64__
-    const bool wide = __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512cd") &&
-                      __builtin_cpu_supports("avx512bw") && __builtin_cpu_supports("avx512dq") &&
-                      __builtin_cpu_supports("avx512vl");
-    const bool fused = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
-    if (wide || fused) {
-        return setenv("OPENBLAS_CORETYPE", wide ? "SKYLAKEX" : "HASWELL", /*overwrite=*/0) == 0;
+    if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) {
+        return setenv("OPENBLAS_CORETYPE", "HASWELL", /*overwrite=*/0) == 0;
     }
 #endif
     return false;

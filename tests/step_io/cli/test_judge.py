@@ -77,7 +77,7 @@ class Severity(Judged):
         self.assertEqual(document["exit_code"] == DONE, hole["within_tolerance"])
 
     def test_no_tolerance_grows_beyond_the_gap(self):
-        document = self.fill(self.case("trust/loose_tol.brep"), "--method", "mvs")
+        document = self.fill(self.case("trust/loose_tol.brep"), "--method", "mvs", "--no-sew")
         self.assertNotIn("tolerance_grown", self.kinds(self.hole(document)))
 
     def test_a_far_off_fill_stays_out(self):

@@ -38,6 +38,33 @@ struct Looks {
     }
 };
 
+/// X_u x X_v.
+Eigen::Vector3d normal_at(const Net& net, const BasisRow& u, const BasisRow& v) {
+    const Eigen::Matrix<double, 3, 2> E =
+        net.local_poles(u.first, v.first) * local_basis(u, v).leftCols<2>();
+    return E.col(0).cross(E.col(1));
+}
+
+/// The elements of area that were looked at.
+struct Areas {
+    double least = std::numeric_limits<double>::infinity();
+    double sum = 0.0;
+    int count = 0;
+
+    void look(const Eigen::Vector3d& normal) {
+        const double area = normal.norm();
+        least = std::min(least, area);
+        sum += area;
+        ++count;
+    }
+    /// Between a point and the next the normal does not turn over.
+    void compare(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+        if (a.dot(b) < 0.0) {
+            least = std::min(least, -std::min(a.norm(), b.norm()));
+        }
+    }
+};
+
 }  // namespace
 
 Miss miss(const Net& net, const BoundarySample& sample) {
@@ -74,26 +101,7 @@ Miss worst_miss(const Net& net, const std::vector<BoundarySample>& samples) {
 }
 
 double regularity(const Net& net, const std::vector<Eigen::Matrix2Xd>& polygons) {
-    const auto normal_at = [&](const BasisRow& u, const BasisRow& v) {
-        const Eigen::Matrix<double, 3, 2> E =
-            net.local_poles(u.first, v.first) * local_basis(u, v).leftCols<2>();
-        return Eigen::Vector3d(E.col(0).cross(E.col(1)));
-    };
-    double least = std::numeric_limits<double>::infinity();
-    double sum = 0.0;
-    int count = 0;
-    const auto look = [&](const Eigen::Vector3d& normal) {
-        const double area = normal.norm();
-        least = std::min(least, area);
-        sum += area;
-        ++count;
-    };
-    // Between a point and the next the normal does not turn over.
-    const auto compare = [&](const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
-        if (a.dot(b) < 0.0) {
-            least = std::min(least, -std::min(a.norm(), b.norm()));
-        }
-    };
+    Areas areas;
     const Looks u(net.u);
     const Looks v(net.v);
     std::vector<std::optional<Eigen::Vector3d>> grid(u.rows.size() * v.rows.size());
@@ -106,13 +114,13 @@ double regularity(const Net& net, const std::vector<Eigen::Matrix2Xd>& polygons)
             if ((std::lower_bound(cut.begin(), cut.end(), u.at[i]) - cut.begin()) % 2 == 0) {
                 continue;
             }
-            at(i, j) = normal_at(u.rows[i], v.rows[j]);
-            look(*at(i, j));
+            at(i, j) = normal_at(net, u.rows[i], v.rows[j]);
+            areas.look(*at(i, j));
             if (i > 0 && at(i - 1, j)) {
-                compare(*at(i, j), *at(i - 1, j));
+                areas.compare(*at(i, j), *at(i - 1, j));
             }
             if (j > 0 && at(i, j - 1)) {
-                compare(*at(i, j), *at(i, j - 1));
+                areas.compare(*at(i, j), *at(i, j - 1));
             }
         }
     }
@@ -120,18 +128,18 @@ double regularity(const Net& net, const std::vector<Eigen::Matrix2Xd>& polygons)
         for (Eigen::Index k = 0; k < polygon.cols(); ++k) {
             const Eigen::Vector2d uv = polygon.col(k);
             const Eigen::Vector3d normal =
-                normal_at(basis_row(net.u, uv.x()), basis_row(net.v, uv.y()));
-            look(normal);
+                normal_at(net, basis_row(net.u, uv.x()), basis_row(net.v, uv.y()));
+            areas.look(normal);
             for (const std::size_t i : u.beside(uv.x())) {
                 for (const std::size_t j : v.beside(uv.y())) {
                     if (at(i, j)) {
-                        compare(normal, *at(i, j));
+                        areas.compare(normal, *at(i, j));
                     }
                 }
             }
         }
     }
-    return least * count / sum;
+    return areas.least * areas.count / areas.sum;
 }
 
 }  // namespace suture::mvs
