@@ -119,6 +119,7 @@ BallGuess guess(const Border& border, std::size_t a, std::size_t b) {
     }
     result.radius = median(radii);
     std::vector<double> off;
+    off.reserve(radii.size());
     for (const double r : radii) {
         off.push_back(std::abs(r - result.radius));
     }

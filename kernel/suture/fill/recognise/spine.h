@@ -5,6 +5,7 @@
 
 #include <Eigen/Core>
 
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -14,8 +15,8 @@ namespace suture::recognise {
 struct BallPosition {
     Eigen::Vector3d centre = Eigen::Vector3d::Zero();
     Eigen::Vector3d tangent = Eigen::Vector3d::Zero();  ///< unit, of the path of centres
-    Eigen::Vector3d normal[2];                          ///< outward, of the two surfaces
-    Eigen::Vector2d uv[2];
+    std::array<Eigen::Vector3d, 2> normal;              ///< outward, of the two surfaces
+    std::array<Eigen::Vector2d, 2> uv;
 };
 
 /// A ball of constant radius between two neighbours' own surfaces.
