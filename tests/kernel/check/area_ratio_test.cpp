@@ -1,7 +1,5 @@
 #include "suture/check/area_ratio.h"
 
-#include "suture/check/edge_tolerance.h"
-
 #include "kernel/check/shapes.h"
 #include <gtest/gtest.h>
 
@@ -86,26 +84,6 @@ TEST(AreaRatio, DoesNotDependOnSize) {
         EXPECT_NEAR(measure({TopoDS::Face(copy)}).ratio(), 20.0, 0.6);
     }
     EXPECT_FALSE(measure_area_ratio({}));
-}
-
-TEST(EdgeTolerances, AreComparedWithTheMeasuredGap) {
-    const TopoDS_Shape planes = shapes::folded_planes(radians(30.0));
-    auto report = measure_continuity(planes, {}, {}, {});
-    ASSERT_TRUE(report);
-    ASSERT_EQ(report->edges.size(), 1U);
-    const int shared = report->edges.front().edge;
-    BRep_Builder().UpdateEdge(TopoDS::Edge(TopExp_Explorer(planes, TopAbs_EDGE).Current()), 0.5);
-    report->edges.front().edge_gap = 0.1;
-    const auto found = measure_edge_tolerances(planes, {1, 2}, *report, {{shared, 0.2}});
-    ASSERT_EQ(found.size(), 1U);
-    EXPECT_EQ(found.front().edge, shared);
-    EXPECT_DOUBLE_EQ(found.front().gap, 0.1);
-    EXPECT_DOUBLE_EQ(found.front().before.value_or(0.0), 0.2);
-    EXPECT_DOUBLE_EQ(found.front().excess(1e-7), found.front().now / 0.2);
-    const auto unknown = measure_edge_tolerances(planes, {1}, *report, {});
-    ASSERT_EQ(unknown.size(), 1U);
-    EXPECT_FALSE(unknown.front().before);
-    EXPECT_DOUBLE_EQ(unknown.front().excess(1e-7), unknown.front().now / 0.1);
 }
 
 }  // namespace
