@@ -30,6 +30,8 @@ constexpr int kSamplesMost = 257;
 constexpr double kFlatTurning = 1e-4;
 // Below this sine of the angle between the two tangents the surface is singular.
 constexpr double kSingular = 1e-8;
+// A derivative below this part of the longest along the line vanishes.
+constexpr double kVanishing = 1e-6;
 
 /// Limits of the surface at a point of a knot line, from one side.
 struct Jet {
@@ -95,13 +97,14 @@ class Across {
     bool is_u_;
 };
 
-void compare(const Jet& below, const Jet& above, const gp_Vec& tangent, double length,
-             const gp_Trsf& to_model, KnotLine& line) {
-    const double scale = std::abs(to_model.ScaleFactor());
-    line.max_gap = std::max(line.max_gap, scale * below.P.Distance(above.P));
-    if (!below.regular() || !above.regular()) {
-        return;
-    }
+/// Both limits at one point of a knot line.
+struct Limits {
+    Jet below, above;
+};
+
+void compare(const Limits& limits, const gp_Vec& tangent, double length, const gp_Trsf& to_model,
+             KnotLine& line) {
+    const auto& [below, above] = limits;
     const gp_Vec n1 = below.normal();
     const gp_Vec n2 = above.normal();
     const double angle = std::atan2(n1.CrossMagnitude(n2), n1 * n2);
@@ -119,6 +122,29 @@ void compare(const Jet& below, const Jet& above, const gp_Vec& tangent, double l
         line.curvature_mismatch = std::max(line.curvature_mismatch, difference / largest);
         line.curvature_mismatch_sum =
             std::max(line.curvature_mismatch_sum, difference / (std::abs(k1) + std::abs(k2)));
+    }
+}
+
+/// Compares the limits wherever they have normals: a surface that ends in a point or a curve has
+/// derivatives there that are nothing but rounding.
+void compare_all(const std::vector<Limits>& limits, const Across& across, double length,
+                 const gp_Trsf& to_model, KnotLine& line) {
+    const double scale = std::abs(to_model.ScaleFactor());
+    double longest_u = 0.0;
+    double longest_v = 0.0;
+    for (const auto& [below, above] : limits) {
+        line.max_gap = std::max(line.max_gap, scale * below.P.Distance(above.P));
+        longest_u = std::max({longest_u, below.Su.Magnitude(), above.Su.Magnitude()});
+        longest_v = std::max({longest_v, below.Sv.Magnitude(), above.Sv.Magnitude()});
+    }
+    const auto has_normal = [&](const Jet& jet) {
+        return jet.regular() && jet.Su.Magnitude() > kVanishing * longest_u &&
+               jet.Sv.Magnitude() > kVanishing * longest_v;
+    };
+    for (const Limits& both : limits) {
+        if (has_normal(both.below) && has_normal(both.above)) {
+            compare(both, across.along(both.below), length, to_model, line);
+        }
     }
 }
 
@@ -145,6 +171,7 @@ KnotLine measure_line(const FaceOfKnots& face, bool is_u, int i) {
     const double high = std::min(other.knot(other.last()), face.box.at(is_u ? 3 : 1));
     const double length = across.limit(i, i, low, other.first())
                               .P.Distance(across.limit(i, i, high, other.last() - 1).P);
+    std::vector<Limits> limits;
     for (int j = other.first(); j < other.last(); ++j) {
         const double from = std::max(other.knot(j), low);
         const double to = std::min(other.knot(j + 1), high);
@@ -153,11 +180,10 @@ KnotLine measure_line(const FaceOfKnots& face, bool is_u, int i) {
             if (face.inside->Perform(across.uv(line.knot, at)) == TopAbs_OUT) {
                 continue;
             }
-            const Jet below = across.limit(i, i - 1, at, j);
-            const Jet above = across.limit(i, i, at, j);
-            compare(below, above, across.along(below), length, face.to_model, line);
+            limits.push_back({across.limit(i, i - 1, at, j), across.limit(i, i, at, j)});
         }
     }
+    compare_all(limits, across, length, face.to_model, line);
     return line;
 }
 

@@ -9,6 +9,9 @@
 #include <BRepBuilderAPI_NurbsConvert.hxx>
 #include <BRepBuilderAPI_Transform.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
+#include <Geom_BSplineSurface.hxx>
+
+#include <array>
 
 namespace suture {
 namespace {
@@ -33,6 +36,40 @@ TEST(FaceKnots, ACreaseInsideAFaceHasTheAngleOfItsPoles) {
     const auto faint = lines_of(shapes::face_on(shapes::folded_spline({0, 0, 0, 0.01, 0.02})));
     EXPECT_NEAR(faint.at(0).max_angle, std::atan(0.02), 1e-12);
     EXPECT_TRUE(is_near_miss(faint[0], Profile{}));
+}
+
+/// Two flat sectors of a disc about the origin, meeting along x = y with a knot of multiplicity 2;
+/// the poles of the tip are off by this much.
+occ::Handle<Geom_BSplineSurface> tip_of_a_fan(double noise) {
+    TColgp_Array2OfPnt poles(1, 5, 1, 2);
+    const std::array<gp_XY, 5> rim = {gp_XY(2, 0), gp_XY(2, 1), gp_XY(1.5, 1.5), gp_XY(1, 2),
+                                      gp_XY(0, 2)};
+    for (int i = 1; i <= 5; ++i) {
+        const auto& at = rim[static_cast<std::size_t>(i - 1)];
+        poles(i, 1) = gp_Pnt(0.0, noise * i, noise * (i % 2 == 0 ? 1 : -1));
+        poles(i, 2) = gp_Pnt(at.X(), at.Y(), 0.0);
+    }
+    TColStd_Array1OfReal u(1, 3);
+    TColStd_Array1OfInteger times(1, 3);
+    for (int i = 1; i <= 3; ++i) {
+        u(i) = i - 2.0;
+        times(i) = i == 2 ? 2 : 3;
+    }
+    TColStd_Array1OfReal v(1, 2);
+    TColStd_Array1OfInteger ends(1, 2);
+    v(1) = 0.0;
+    v(2) = 1.0;
+    ends.Init(2);
+    return new Geom_BSplineSurface(poles, u, v, times, ends, 2, 1);
+}
+
+TEST(FaceKnots, ATipIsNoCrease) {
+    for (const double noise : {0.0, 1e-13}) {
+        const auto lines = lines_of(shapes::face_on(tip_of_a_fan(noise)));
+        ASSERT_EQ(lines.size(), 1U);
+        EXPECT_EQ(lines[0].samples, 5);  // of six, but not the tip
+        EXPECT_LT(lines[0].max_angle, 1e-6) << noise;
+    }
 }
 
 TEST(FaceKnots, AJumpOfCurvatureInsideAFaceIsToldByBothDefinitions) {
