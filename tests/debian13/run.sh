@@ -64,9 +64,11 @@ build() {
         cp -r "$node" "$root/build/step_io/report/"
         offline="export SUTURE_NO_INSTALL=1"
     fi
+    fresh= # the root may have been used by another checkout
+    grep -qsxF "CMAKE_HOME_DIRECTORY:INTERNAL=$source" "$root/build/CMakeCache.txt" || fresh=--fresh
     within sh -c "${offline-}
         export CCACHE_DIR=/build/ccache CCACHE_BASEDIR='$source' CCACHE_NOHASHDIR=1
-        cmake -S '$source' -B /build -G Ninja -DCMAKE_BUILD_TYPE=Release -DSUTURE_BUILD_TESTS=OFF \
+        cmake -S '$source' -B /build $fresh -G Ninja -DCMAKE_BUILD_TYPE=Release -DSUTURE_BUILD_TESTS=OFF \
             --log-level=NOTICE
         cmake --build /build --target suture -j ${SUTURE_JOBS:-$(nproc)}"
 }
