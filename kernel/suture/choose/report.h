@@ -55,9 +55,10 @@ struct HoleReport {
     std::string reason;  ///< why this method, or why refused or skipped
     bool tried = false;  ///< the figures are those of a fill: of the best try where it was refused
     AskedFill asked;     ///< what the figures are held against
-    std::vector<Clash> clashes;  ///< as found when it was computed, with all of the shape around;
-    std::vector<Overlay> overlays;  ///< without face numbers
-    Judgement verdict;              ///< what they are worth
+    /// As found when it was computed, with all of the shape around; without face numbers.
+    std::vector<Clash> clashes;
+    std::vector<Overlay> overlays;
+    Judgement verdict;  ///< what they are worth
 };
 
 /// Sets the figures of a hole, and what they are worth. Used for what was tried, and for what was
