@@ -8,10 +8,12 @@ class SutureWorkbench(FreeCADGui.Workbench):
     """The workbench; what it consists of is loaded when it is first used."""
 
     def __init__(self):
-        from suture_workbench import RESOURCES
+        from suture_workbench import RESOURCES, feature
         from suture_workbench.compat import translate
         from suture_workbench.gui.preferences_page import PreferencesPage
+        from suture_workbench.gui.view_provider import FilledShapeView
 
+        feature.show_with(FilledShapeView)
         FreeCADGui.addLanguagePath(str(RESOURCES / "translations"))
         FreeCADGui.updateLocale()
         FreeCADGui.addIconPath(str(RESOURCES / "icons"))

@@ -94,6 +94,16 @@ class Request:
         return tasks.FillHoles(self.shape, self.options)
 
 
+#: Takes the view of a new object.
+view_provider = None
+
+
+def show_with(provider):
+    """Names the view provider of new objects. The window does, as it starts: it stands above this."""
+    global view_provider
+    view_provider = provider
+
+
 def make(base):
     """A new object that fills all holes of `base`, beside it, not yet computed."""
     obj = base.Document.addObject("Part::FeaturePython", "Filled")
@@ -104,9 +114,7 @@ def make(base):
     obj.Base = (base, [])
     obj.Label = translate("{} filled").format(base.Label)
     if App.GuiUp:
-        from .gui.view_provider import FilledShapeView
-
-        FilledShapeView(obj.ViewObject)
+        view_provider(obj.ViewObject)
     return obj
 
 

@@ -13,7 +13,8 @@ from ..options import PROFILES, CheckOptions
 from . import camera, failures, overlay, pick, reflection
 from .choice import Choice
 from .edges_table import COLORS, EdgesTable, class_name, class_of, swatch
-from .panel import Panel, put
+from .forms import put
+from .panel import Panel
 from .progress import Watcher, run_with_dialog
 from .surface_box import SurfaceBox
 from .widgets import Status, limit_boxes, number_box, show_heading

@@ -2,7 +2,7 @@
 """Combo boxes whose entries have a key, and a label that explains the chosen one."""
 
 from ..compat import QtCore, QtWidgets
-from .panel import find
+from .forms import find
 
 _KEY = QtCore.Qt.UserRole
 

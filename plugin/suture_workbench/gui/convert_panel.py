@@ -7,7 +7,8 @@ from .. import RESOURCES, reports, tasks, words
 from ..compat import QtWidgets, translate
 from ..options import FillOptions
 from . import failures
-from .panel import Panel, put
+from .forms import put
+from .panel import Panel
 from .progress import Watcher
 from .widgets import Status
 

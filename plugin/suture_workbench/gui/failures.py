@@ -10,6 +10,7 @@ from .. import places
 from ..compat import QtWidgets, run_loop, translate
 from ..errors import Cancelled, NothingToDo, ProgramMissing, SutureError
 from . import pick
+from .program_dialog import ProgramDialog
 
 
 def text_of(error):
@@ -45,8 +46,6 @@ def show(error, item=None):
 
 def get_program():
     """The dialog that installs, locates or builds the program."""
-    from .program_dialog import ProgramDialog
-
     ProgramDialog().run()
 
 

@@ -13,7 +13,8 @@ from . import failures
 from .choice import Choice
 from .holes_tree import HolesTree
 from .method_options import MethodOptions
-from .panel import Buttons, Panel, put
+from .forms import put
+from .panel import Buttons, Panel
 from .preview import Preview
 from .progress import Watcher, run_with_dialog
 from .sides_table import SidesTable

@@ -5,7 +5,8 @@ from .. import RESOURCES, places, tasks, words
 from ..compat import translate
 from . import failures
 from .holes_tree import HolesTree
-from .panel import Panel, put
+from .forms import put
+from .panel import Panel
 from .progress import Watcher
 from .widgets import Status, show_heading
 

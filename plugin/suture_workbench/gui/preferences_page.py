@@ -4,7 +4,7 @@
 from .. import program, settings
 from ..compat import QtWidgets, translate
 from ..errors import ProgramMissing
-from .panel import find, load_form
+from .forms import find, load_form
 from .widgets import limit_boxes
 
 

@@ -8,7 +8,7 @@ import FreeCADGui as Gui
 from .. import ADDON, install, program, settings
 from ..compat import QtCore, QtGui, QtWidgets, run_loop, translate
 from ..errors import SutureError
-from .panel import find, load_form
+from .forms import find, load_form
 
 
 class ProgramDialog:

@@ -5,7 +5,7 @@ from .. import places, settings
 from ..compat import QtWidgets, translate
 from . import shading
 from .choice import Choice
-from .panel import find, load_form, put
+from .forms import find, load_form, put
 from .widgets import number_box
 
 

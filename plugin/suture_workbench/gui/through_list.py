@@ -10,7 +10,7 @@ from .. import places
 from ..compat import QtCore, QtWidgets, translate
 from ..errors import SutureError
 from . import failures
-from .panel import find, load_form
+from .forms import find, load_form
 
 
 def read_points(path):

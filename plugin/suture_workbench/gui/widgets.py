@@ -5,7 +5,7 @@ import FreeCAD as App
 
 from .. import settings
 from ..compat import QtCore, QtWidgets, translate
-from .panel import put
+from .forms import put
 
 
 def number_box(value, suffix, tip, maximum=1000.0, decimals=6):

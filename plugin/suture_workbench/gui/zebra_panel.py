@@ -3,7 +3,8 @@
 
 from .. import RESOURCES
 from ..compat import translate
-from .panel import Panel, put
+from .forms import put
+from .panel import Panel
 from .surface_box import SurfaceBox
 from .widgets import show_heading
 
