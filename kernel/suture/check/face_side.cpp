@@ -387,15 +387,16 @@ BorderPoint FaceSide::at(double t, const gp_Pnt& point, const gp_Vec& derivative
     set_local(result, t, uv, local, tangent, with_slope);
     if (moved_) {
         result.point.Transform(to_model_);
+        // A mirror turns X_u x X_v round; the border, which it turns too, stays on its left.
+        const double sign = to_model_.IsNegative() ? -1.0 : 1.0;
         if (result.normal) {
-            result.normal = result.normal->Transformed(to_model_).Normalized();
+            result.normal = sign * result.normal->Transformed(to_model_).Normalized();
         }
         if (result.curvature) {
-            *result.curvature /= scale_;
+            *result.curvature *= sign / scale_;
         }
         if (result.curvature_slope) {
-            // A mirror turns normal x tangent round.
-            *result.curvature_slope *= (to_model_.IsNegative() ? -1.0 : 1.0) / (scale_ * scale_);
+            *result.curvature_slope *= sign / (scale_ * scale_);
         }
     }
     return result;

@@ -11,7 +11,6 @@
 #include <Geom2d_Curve.hxx>
 #include <Geom_Curve.hxx>
 #include <Geom_Surface.hxx>
-#include <TopLoc_Location.hxx>
 #include <gp_Trsf.hxx>
 
 #include <algorithm>
@@ -162,21 +161,18 @@ Result<Side> side_of(const BoundaryEdge& boundary) {
         return fail(ErrorCode::Refused, "edge {} has no curve on the surface of face {}",
                     boundary.edge_number, boundary.face_number);
     }
-    TopLoc_Location location;
-    const bool has_surface = !BRep_Tool::Surface(boundary.face, location).IsNull();
-    if (!has_surface) {
+    side.surface = BRep_Tool::Surface(boundary.face);
+    if (side.surface.IsNull()) {
         return fail(ErrorCode::Refused, "face {} has no surface", boundary.face_number);
     }
-    side.surface = BRep_Tool::Surface(boundary.face);
     const bool backwards = boundary.edge.Orientation() == TopAbs_REVERSED;
     side.t0 = backwards ? last : first;
     side.t1 = backwards ? first : last;
     side.p0 = backwards ? plast : pfirst;
     side.p1 = backwards ? pfirst : plast;
-    // A mirrored location turns X_u x X_v around, and the material does not follow.
-    const bool flipped = (boundary.face.Orientation() == TopAbs_REVERSED) !=
-                         static_cast<bool>(location.Transformation().IsNegative());
-    side.normal_sign = flipped ? -1.0 : 1.0;
+    // Also under a location that mirrors: there the loops go the other way round as X_u x X_v does,
+    // and the hole stays on their left.
+    side.normal_sign = boundary.face.Orientation() == TopAbs_REVERSED ? -1.0 : 1.0;
     return side;
 }
 

@@ -221,6 +221,12 @@ TEST(FindLoops, CallsACapAboveTheEquatorARimAndBelowItAHole) {
     };
     // the sphere's own face has its seam besides the circle
     EXPECT_EQ(cap(radians(60.0)), (Census{{"rim", 1}}));
+    // The shell turns 360 deg sin(latitude): 90 and 180 are the limits of what turning alone tells,
+    // where the cap's area is less than twice that of its opening.
+    for (const auto& [turning, kind] : std::vector<std::pair<double, std::string>>{
+             {80.0, "hole"}, {100.0, "ambiguous"}, {170.0, "ambiguous"}, {190.0, "rim"}}) {
+        EXPECT_EQ(cap(std::asin(turning / 360.0)), (Census{{kind, 1}})) << turning;
+    }
     EXPECT_EQ(cap(radians(-60.0)), (Census{{"hole", 1}}));
     EXPECT_EQ(cap(0.0), (Census{{"hole", 1}}));
 }

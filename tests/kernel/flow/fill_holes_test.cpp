@@ -283,6 +283,17 @@ TEST(FillHoles, IsTheSameInEveryOrientationAndScale) {
             EXPECT_NEAR(volume(outcome->shape) / std::pow(scale, 3), truth, 1e-4 * truth);
         }
     }
+    // Placed in a mirror, the body is turned inside out.
+    gp_Trsf mirror;
+    mirror.SetMirror(gp_Ax2(gp_Pnt(1, 2, 3), gp_Dir(1, -1, 2)));
+    FillRequest request;
+    request.tolerance.angular = radians(2.0);
+    const auto outcome = fill(grids::without_faces(rounded, {corner})
+                                  .Moved(TopLoc_Location(mirror), /*theRaiseExc=*/false),
+                              request);
+    ASSERT_TRUE(outcome) << outcome.error().message;
+    EXPECT_TRUE(outcome->holes[0].verdict.within()) << outcome->holes[0].reason;
+    EXPECT_NEAR(std::abs(volume(outcome->shape)), truth, 1e-4 * truth);
 }
 
 TEST(FillHoles, RefusesHolesAndEdgesThatDoNotExist) {

@@ -159,28 +159,33 @@ void expect_solid(const TopoDS_Shape& solid, const Truth& truth) {
             }
         }
     }
-    gp_Trsf rigid;
-    rigid.SetRotation(gp_Ax1(gp_Pnt(1, 2, 3), gp_Dir(1, -1, 2)), 0.9);
-    const TopoDS_Shape located = solid.Moved(TopLoc_Location(rigid));
-    const auto unmoved = [&](const Vector3d& p) -> Vector3d {
-        return occ::from_occ(occ::to_point(p).Transformed(rigid.Inverted()));
-    };
-    const Truth turned{
-        truth.kind,
-        [&](const Vector3d& p) -> Vector3d {
-            return occ::from_occ(occ::to_direction(truth.normal(unmoved(p))).Transformed(rigid));
-        },
-        [&](const Vector3d& p) -> Matrix3d {
-            Matrix3d R;
-            for (int c = 0; c < 3; ++c) {
-                const Vector3d e = Vector3d::Unit(c);
-                R.col(c) = occ::from_occ(occ::to_direction(e).Transformed(rigid));
-            }
-            return R * truth.form(unmoved(p)) * R.transpose();
-        }};
-    SCOPED_TRACE("located");
-    for (const auto& side : sides_of(located)) {
-        expect_side(side, turned, 1.0);
+    for (const bool mirrored : {false, true}) {
+        // A location leaves the faces' flags as they are: what it mirrors is turned inside out.
+        const double outward = mirrored ? -1.0 : 1.0;
+        const gp_Trsf rigid = placed(1.0, mirrored);
+        const TopoDS_Shape located = solid.Moved(TopLoc_Location(rigid), /*theRaiseExc=*/false);
+        const auto unmoved = [&](const Vector3d& p) -> Vector3d {
+            return occ::from_occ(occ::to_point(p).Transformed(rigid.Inverted()));
+        };
+        const Truth turned{
+            truth.kind,
+            [&](const Vector3d& p) -> Vector3d {
+                return outward *
+                       occ::from_occ(
+                           occ::to_direction(truth.normal(unmoved(p))).Transformed(rigid));
+            },
+            [&](const Vector3d& p) -> Matrix3d {
+                Matrix3d R;
+                for (int c = 0; c < 3; ++c) {
+                    const Vector3d e = Vector3d::Unit(c);
+                    R.col(c) = occ::from_occ(occ::to_direction(e).Transformed(rigid));
+                }
+                return outward * (R * truth.form(unmoved(p)) * R.transpose());
+            }};
+        SCOPED_TRACE(mirrored ? "located in a mirror" : "located");
+        for (const auto& side : sides_of(located)) {
+            expect_side(side, turned, 1.0);
+        }
     }
     const Truth reversed{truth.kind,
                          [&](const Vector3d& p) -> Vector3d { return -truth.normal(p); },
