@@ -1,5 +1,6 @@
 #include "cli/arguments.h"
 #include "cli/fill_model.h"
+#include "cli/fill_report.h"
 #include "cli/methods.h"
 #include "cli/options.h"
 #include "cli/report_html.h"
@@ -55,6 +56,7 @@ class DemoReport {
   public:
     void add(const fs::path& example, std::string_view method, const fs::path& output,
              const FillSummary& summary) {
+        const Json holes = holes_of(summary);
         for (std::size_t i = 0; i < summary.holes.size(); ++i) {
             const HoleReport& hole = summary.holes[i];
             if (hole.status == FillStatus::Skipped) {
@@ -66,7 +68,7 @@ class DemoReport {
                        {"output", filled ? Json(output.string()) : Json()},
                        {"closed", summary.validity.closed},
                        {"valid", summary.validity.valid}};
-            entry.update(json_of(hole, summary.sides[i]));
+            entry.update(holes[i]);
             fills_.push_back(std::move(entry));
             const bool good = filled && hole.verdict.within() && summary.validity.valid;
             complete_ = complete_ && (good || method != "auto");

@@ -248,6 +248,10 @@ class FillJob {
             for (HoleReport& hole : outcome->holes) {
                 place_in_model(hole, part);
             }
+            for (HoleForm& form : outcome->forms) {
+                form.hole += part.ids_before;
+                summary_.forms.push_back(std::move(form));
+            }
             summary_.seconds.fill += outcome->seconds_fill;
             summary_.seconds.choose += outcome->seconds_choose;
             summary_.seconds.sew += outcome->seconds_sew;

@@ -48,6 +48,7 @@ struct FillSummary {
     std::vector<HoleReport> holes;  ///< every boundary loop of the model
     std::vector<Finding> findings;  ///< of the model as a whole
     std::vector<int> sides;         ///< how many edges each of these has
+    std::vector<HoleForm> forms;    ///< of holes whose method has one
     std::vector<WritingLoss> lost_by_writing;
     Validity validity;
     MeasuredOn measured_on = MeasuredOn::Memory;

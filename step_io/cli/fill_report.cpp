@@ -212,6 +212,19 @@ std::string_view name_of(MeasuredOn what) {
 
 }  // namespace
 
+Json holes_of(const FillSummary& summary) {
+    Json holes = Json::array();
+    for (std::size_t i = 0; i < summary.holes.size(); ++i) {
+        Json& entry = holes.emplace_back(json_of(summary.holes[i], summary.sides[i]));
+        for (const HoleForm& form : summary.forms) {
+            if (form.hole == summary.holes[i].ids.front()) {
+                entry["polynomials"] = json_of(form.form);
+            }
+        }
+    }
+    return holes;
+}
+
 Outcome report_fill(const FillSummary& summary, const FillSettings& settings) {
     const Counts counts = count(summary.holes);
     const Tolerance& tolerance = settings.request.tolerance;
@@ -238,10 +251,6 @@ Outcome report_fill(const FillSummary& summary, const FillSettings& settings) {
     for (const Finding& finding : findings) {
         listed.push_back(json_of(finding));
     }
-    Json holes = Json::array();
-    for (std::size_t i = 0; i < summary.holes.size(); ++i) {
-        holes.push_back(json_of(summary.holes[i], summary.sides[i]));
-    }
     outcome.document = {{"output", settings.output.string()},
                         {"output_format", io::to_string(settings.format)},
                         {"model", json_of(summary.file)},
@@ -253,7 +262,7 @@ Outcome report_fill(const FillSummary& summary, const FillSettings& settings) {
                           {"curvature_percent", 100.0 * tolerance.curvature}}},
                         {"severity", to_string(severity)},
                         {"findings", listed},
-                        {"holes", holes},
+                        {"holes", holes_of(summary)},
                         {"measured_on", name_of(summary.measured_on)}};
     outcome.document.update(json_of(summary.validity));
     outcome.document["seconds"] = json_of_seconds(summary.seconds);

@@ -163,27 +163,23 @@ Json json_of(const BoundaryLoop& loop, const io::Part& part, const std::vector<C
             {"corners", corner_list}};
 }
 
-namespace {
-
-Json polynomials_of(const ImplicitForm& form) {
+Json json_of(const ImplicitForm& form) {
     Json cells = Json::array();
     for (const ImplicitCell& cell : form.cells) {
         Json cones = Json::array();
         for (const Eigen::Matrix3d& cone : cell.cones) {
-            cones.push_back({cli::json_of(Eigen::Vector3d(cone.col(0))),
-                             cli::json_of(Eigen::Vector3d(cone.col(1))),
-                             cli::json_of(Eigen::Vector3d(cone.col(2)))});
+            cones.push_back({json_of(Eigen::Vector3d(cone.col(0))),
+                             json_of(Eigen::Vector3d(cone.col(1))),
+                             json_of(Eigen::Vector3d(cone.col(2)))});
         }
         cells.push_back({{"polynomial", cell.polynomial}, {"cones", cones}});
     }
-    return {{"origin", cli::json_of(form.origin)},
+    return {{"origin", json_of(form.origin)},
             {"size", form.size},
-            {"centre", cli::json_of(form.centre)},
+            {"centre", json_of(form.centre)},
             {"degree", form.degree},
             {"cells", cells}};
 }
-
-}  // namespace
 
 Json json_of(const HoleReport& hole, int sides) {
     const bool filled = hole.status == FillStatus::Filled;
@@ -212,9 +208,6 @@ Json json_of(const HoleReport& hole, int sides) {
         hole.through.empty() ? Json() : measured(hole.max_distance_through);
     json["patches"] = array_of(hole.patches);
     json["edges"] = array_of(hole.sides);
-    if (hole.implicit) {
-        json["polynomials"] = polynomials_of(*hole.implicit);
-    }
     json["seconds"] = hole.seconds;
     json["reason"] = hole.reason;
     json["notes"] = strings_of(hole.notes);

@@ -39,6 +39,9 @@ inline constexpr int kSchema = 3;
 [[nodiscard]] Json json_of(const BoundaryLoop& loop, const io::Part& part,
                            const std::vector<Corner>& corners);
 
+/// `polynomials` of an entry of `holes` of fill.
+[[nodiscard]] Json json_of(const ImplicitForm& form);
+
 /// One entry of `holes` of fill. sides: how many edges bound it.
 [[nodiscard]] Json json_of(const HoleReport& hole, int sides);
 

@@ -30,6 +30,9 @@ void apply_fill(const TopoDS_Shape& shape, ComputedFill& fill, FillOutcome& outc
                         made->grown_edges, made->grown_tolerance));
     }
     outcome.new_faces.insert(outcome.new_faces.end(), made->faces.begin(), made->faces.end());
+    if (fill.fill.implicit) {
+        outcome.forms.push_back({report.ids.front(), std::move(*fill.fill.implicit)});
+    }
 }
 
 }  // namespace

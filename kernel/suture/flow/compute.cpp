@@ -87,7 +87,6 @@ void take(Choice choice, const FillRequest& request, ComputedFill& computed) {
     for (const Patch& patch : choice.fill.patches) {
         report.patches.push_back(facts_of(patch));
     }
-    report.implicit = choice.fill.implicit;
     report.asked.closed_form = has_closed_form(choice.fill);
     set_figures(choice.measures, report);
     report.clashes = std::move(choice.measures.clashes);
