@@ -1,5 +1,6 @@
 #pragma once
 
+#include "support/trim_of.h"
 #include "suture/base/tolerance.h"
 #include "suture/model/patch.h"
 #include "suture/model/ribbon.h"
@@ -101,7 +102,7 @@ inline Fit fit_of(const Hole& hole, const Patch& patch) {
         for (std::size_t i = 0; i < hole.loops[l].ribbons.size(); ++i) {
             for (int k = 0; k <= 40; ++k) {
                 const RibbonPoint p = hole.loops[l].ribbons[i].at(k / 40.0);
-                const Eigen::Vector2d uv = patch.trims[l][i](k / 40.0);
+                const Eigen::Vector2d uv = test::trim_of(patch, l, i)(k / 40.0);
                 const SurfaceJet jet = evaluate(patch.surface, uv.x(), uv.y());
                 const Eigen::Vector3d n =
                     (patch.reversed ? -1.0 : 1.0) * jet.u.cross(jet.v).normalized();
@@ -114,12 +115,17 @@ inline Fit fit_of(const Hole& hole, const Patch& patch) {
     return fit;
 }
 
-/// The largest jump of the trimming curves from one side to the next: 0 for a closed loop.
+/// The largest jump of the trimming curves from one edge to the next: 0 for closed wires.
 inline double largest_jump(const Patch& patch) {
     double jump = 0.0;
-    for (const auto& loop : patch.trims) {
-        for (std::size_t i = 0; i < loop.size(); ++i) {
-            jump = std::max(jump, (loop[i](1.0) - loop[(i + 1) % loop.size()](0.0)).norm());
+    for (const std::vector<EdgeUse>& wire : patch.wires) {
+        for (std::size_t i = 0; i < wire.size(); ++i) {
+            const EdgeUse& use = wire[i];
+            const EdgeUse& next = wire[(i + 1) % wire.size()];
+            if (!use.pole_after) {
+                const Eigen::Vector2d end = use.at(use.backwards ? 0.0 : 1.0);
+                jump = std::max(jump, (next.at(next.backwards ? 1.0 : 0.0) - end).norm());
+            }
         }
     }
     return jump;

@@ -10,7 +10,7 @@
 #include <BRep_Tool.hxx>
 #include <BSplCLib.hxx>
 #include <Geom_BSplineCurve.hxx>
-#include <Geom_BSplineSurface.hxx>
+#include <Geom_TrimmedCurve.hxx>
 #include <Precision.hxx>
 #include <Standard_Failure.hxx>
 #include <TColStd_Array1OfReal.hxx>
@@ -50,12 +50,15 @@ bool is_isoline(const TrimCurve& at) {
     return true;
 }
 
-/// The surface's own curve along an isoline, on [0, 1].
-Handle<Geom_Curve> isoline(const Geom_BSplineSurface& surface, const Vector2d& a,
-                           const Vector2d& b) {
-    const int along = std::abs(b.y() - a.y()) > std::abs(b.x() - a.x()) ? 1 : 0;
-    const auto curve = occ::cast<Geom_BSplineCurve>(along == 1 ? surface.UIso(a.x())  //
-                                                               : surface.VIso(a.y()));
+/// A curve in space from its start to its end.
+struct Course {
+    Handle<Geom_Curve> curve;
+    double first = 0.0, last = 1.0;
+};
+
+/// A B-spline's own curve along an isoline, on [0, 1].
+Course isoline(const Handle<Geom_BSplineCurve>& curve, const Vector2d& a, const Vector2d& b,
+               int along) {
     curve->Segment(std::min(a[along], b[along]), std::max(a[along], b[along]));
     if (b[along] < a[along]) {
         curve->Reverse();
@@ -64,12 +67,29 @@ Handle<Geom_Curve> isoline(const Geom_BSplineSurface& surface, const Vector2d& a
     curve->Knots(knots);
     BSplCLib::Reparametrize(0.0, 1.0, knots);
     curve->SetKnots(knots);
-    return curve;
+    return {curve, 0.0, 1.0};
+}
+
+/// The surface's own curve along an isoline; the line, circle or the like of a closed form has its
+/// own parameter.
+Course isoline(const Geom_Surface& surface, const Vector2d& a, const Vector2d& b) {
+    const int along = std::abs(b.y() - a.y()) > std::abs(b.x() - a.x()) ? 1 : 0;
+    Handle<Geom_Curve> curve = along == 1 ? surface.UIso(a.x()) : surface.VIso(a.y());
+    if (const auto trimmed = occ::cast<Geom_TrimmedCurve>(curve)) {
+        curve = trimmed->BasisCurve();
+    }
+    if (const auto spline = occ::cast<Geom_BSplineCurve>(curve)) {
+        return isoline(spline, a, b, along);
+    }
+    if (a[along] < b[along]) {
+        return {curve, a[along], b[along]};
+    }
+    return {curve->Reversed(), curve->ReversedParameter(a[along]),
+            curve->ReversedParameter(b[along])};
 }
 
 /// The image of a trim, on [0, 1].
-Handle<Geom_Curve> image(const TrimCurve& at, const Handle<Geom_Surface>& surface,
-                         double accuracy) {
+Course image(const TrimCurve& at, const Handle<Geom_Surface>& surface, double accuracy) {
     const TopoDS_Edge edge =
         BRepBuilderAPI_MakeEdge(fit_pcurve(at, 0.0, 1.0, *surface, accuracy), surface, 0.0, 1.0);
     constexpr int kDegree = 14;
@@ -78,9 +98,9 @@ Handle<Geom_Curve> image(const TrimCurve& at, const Handle<Geom_Surface>& surfac
                                GeomAbs_C2, kDegree, kSpans)) {
         throw Standard_Failure("an inner edge has no curve in space");
     }
-    double first = 0.0;
-    double last = 0.0;
-    return BRep_Tool::Curve(edge, first, last);
+    Course course;
+    course.curve = BRep_Tool::Curve(edge, course.first, course.last);
+    return course;
 }
 
 }  // namespace
@@ -100,20 +120,18 @@ const TopoDS_Edge& InnerEdges::edge(const EdgeUse& use, const Handle<Geom_Surfac
     if (!edge.IsNull()) {
         return edge;
     }
-    const auto spline = occ::cast<Geom_BSplineSurface>(surface);
-    const Handle<Geom_Curve> curve = !spline.IsNull() && is_isoline(use.at)
-                                         ? isoline(*spline, use.at(0.0), use.at(1.0))
-                                         : image(use.at, surface, accuracy_);
+    const Course course = is_isoline(use.at) ? isoline(*surface, use.at(0.0), use.at(1.0))
+                                             : image(use.at, surface, accuracy_);
     const InnerEdge& ends = result_.inner_edges[static_cast<std::size_t>(use.index)];
     const TopoDS_Vertex start = vertex(ends.from);
     const TopoDS_Vertex end = vertex(ends.to);
-    reach(start, curve->Value(0.0));
-    reach(end, curve->Value(1.0));
+    reach(start, course.curve->Value(course.first));
+    reach(end, course.curve->Value(course.last));
     const BRep_Builder builder;
-    builder.MakeEdge(edge, curve, Precision::Confusion());
+    builder.MakeEdge(edge, course.curve, Precision::Confusion());
     builder.Add(edge, start.Oriented(TopAbs_FORWARD));
     builder.Add(edge, end.Oriented(TopAbs_REVERSED));
-    builder.Range(edge, 0.0, 1.0);
+    builder.Range(edge, course.first, course.last);
     return edge;
 }
 

@@ -87,13 +87,6 @@ double largest_along(double first, double last, const std::function<double(doubl
 /// A pcurve need not be nearer to the feet than this share of the gap that they leave.
 constexpr double kShareOfGap = 1e-3;
 
-struct Placement {
-    Handle<Geom2d_Curve> pcurve;
-    double gap = 0.0;  ///< largest distance to the surface
-    double reach =
-        0.0;  ///< largest distance to the pcurve's image: what the tolerance has to cover
-};
-
 /// An edge's own curve.
 struct Course {
     TopoDS_Edge edge;
@@ -169,28 +162,33 @@ Placed grow(const TopoDS_Edge& edge, double gap, double reach) {
 
 }  // namespace
 
-Placed put_on_surface(const TopoDS_Edge& edge, const Handle<Geom_Surface>& surface, const Trim& at,
-                      Ends ends, double accuracy) {
+Placement place_on_surface(const TopoDS_Edge& edge, const Handle<Geom_Surface>& surface,
+                           const Trim& at, Ends ends, double accuracy) {
     const Course course(edge);
     if (const auto plane = occ::cast<Geom_Plane>(surface)) {
         const gp_Pln pln = plane->Pln();
         const double gap = largest_along(course.first, course.last, [&](double t) {
             return pln.Distance(course.curve->Value(t));
         });
-        return grow(edge, gap, gap);
+        return {{}, gap, gap};
     }
-    const Placement placed = course.on(surface, at, ends, accuracy);
-    BRep_Builder().UpdateEdge(edge, placed.pcurve, surface, TopLoc_Location(), 0.0);
-    return grow(edge, placed.gap, placed.reach);
+    return course.on(surface, at, ends, accuracy);
+}
+
+Placed put_on_surface(const TopoDS_Edge& edge, const Handle<Geom_Surface>& surface,
+                      const Placement& placement) {
+    if (!placement.pcurve.IsNull()) {
+        BRep_Builder().UpdateEdge(edge, placement.pcurve, surface, TopLoc_Location(), 0.0);
+    }
+    return grow(edge, placement.gap, placement.reach);
 }
 
 Placed put_on_surface_twice(const TopoDS_Edge& edge, const Handle<Geom_Surface>& surface,
-                            const Trim& forward, const Trim& reversed, double accuracy) {
-    const Course course(edge);
-    const Placement one = course.on(surface, forward, Ends::Laid, accuracy);
-    const Placement other = course.on(surface, reversed, Ends::Laid, accuracy);
-    BRep_Builder().UpdateEdge(edge, one.pcurve, other.pcurve, surface, TopLoc_Location(), 0.0);
-    return grow(edge, std::max(one.gap, other.gap), std::max(one.reach, other.reach));
+                            const Placement& forward, const Placement& reversed) {
+    const BRep_Builder builder;
+    builder.UpdateEdge(edge, forward.pcurve, reversed.pcurve, surface, TopLoc_Location(), 0.0);
+    builder.Continuity(edge, surface, surface, TopLoc_Location(), TopLoc_Location(), GeomAbs_CN);
+    return grow(edge, std::max(forward.gap, reversed.gap), std::max(forward.reach, reversed.reach));
 }
 
 void reach(const TopoDS_Vertex& vertex, const gp_Pnt& point) {

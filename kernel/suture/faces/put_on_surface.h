@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 
+#include <Geom2d_Curve.hxx>
 #include <Geom_Surface.hxx>
 #include <TopoDS_Edge.hxx>
 #include <TopoDS_Vertex.hxx>
@@ -25,25 +26,36 @@ enum class Ends {
     Feet,  ///< in the feet of the edge's vertices, which neighbouring edges share
 };
 
-/// Gives an edge its curve on a further surface; planes need none. It stands at the edge's own feet
-/// on the surface, so that the distance at one parameter is the gap and nothing else.
+/// Where an edge lies on a further surface.
+struct Placement {
+    occ::Handle<Geom2d_Curve> pcurve;  ///< null on a plane, which needs none
+    double gap = 0.0;                  ///< largest distance of the edge to the surface, model units
+    double reach =
+        0.0;  ///< largest distance to the pcurve's image: what the tolerance has to cover
+};
+
+/// An edge's curve on a further surface. It stands at the edge's own feet on the surface, so that
+/// the distance at one parameter is the gap and nothing else. Changes nothing.
 ///
 /// Input    at: about where that is, (u, v) at the edge's parameter t; accuracy: of the pcurve,
 ///          model units.
-/// Changes  the edge: the tolerances of it and its vertices grow where the gap needs it.
+[[nodiscard]] Placement place_on_surface(const TopoDS_Edge& edge,
+                                         const occ::Handle<Geom_Surface>& surface,
+                                         const std::function<Eigen::Vector2d(double t)>& at,
+                                         Ends ends, double accuracy);
+
+/// Gives an edge its curve on a further surface. The tolerances of the edge and its vertices grow
+/// where the gap needs it.
 [[nodiscard]] Placed put_on_surface(const TopoDS_Edge& edge,
                                     const occ::Handle<Geom_Surface>& surface,
-                                    const std::function<Eigen::Vector2d(double t)>& at, Ends ends,
-                                    double accuracy);
+                                    const Placement& placement);
 
 /// The same for an edge that the surface meets twice, a seam.
 ///
-/// Input    forward, reversed: (u, v) where the face uses the edge in that orientation.
+/// Input    forward, reversed: where the face uses the edge in that orientation.
 [[nodiscard]] Placed put_on_surface_twice(const TopoDS_Edge& edge,
                                           const occ::Handle<Geom_Surface>& surface,
-                                          const std::function<Eigen::Vector2d(double t)>& forward,
-                                          const std::function<Eigen::Vector2d(double t)>& reversed,
-                                          double accuracy);
+                                          const Placement& forward, const Placement& reversed);
 
 /// The vertex's tolerance grows if it does not cover the point.
 void reach(const TopoDS_Vertex& vertex, const gp_Pnt& point);

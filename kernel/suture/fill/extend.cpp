@@ -41,14 +41,8 @@ Result<FillResult> fill_extend(const Hole& hole, const FillOptions& options) {
     if (!reversed) {
         return tl::unexpected(reversed.error());
     }
-    auto patch =
-        extend::trimmed(surface, extend::own_parameters, *reversed, hole, options.tolerance.linear);
-    if (!patch) {
-        return tl::unexpected(patch.error());
-    }
-    FillResult result;
-    result.patches.push_back(std::move(*patch));
-    return result;
+    return extend::trimmed(surface, extend::own_parameters, *reversed, hole,
+                           options.tolerance.linear);
 }
 
 }  // namespace suture

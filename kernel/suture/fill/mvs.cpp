@@ -31,10 +31,11 @@ Patch patch_of(const mvs::Fairing& fairing) {
     Patch patch;
     patch.surface = std::move(surface);
     for (const mvs::DomainLoop& loop : fairing.domain.loops) {
-        std::vector<TrimCurve>& trims = patch.trims.emplace_back();
+        std::vector<TrimCurve> trims;
         for (const mvs::DomainCurve& curve : loop.curves) {
-            trims.push_back([curve](double s) { return curve.at(s); });
+            trims.emplace_back([curve](double s) { return curve.at(s); });
         }
+        patch.wires.push_back(wire_of_loop(static_cast<int>(patch.wires.size()), std::move(trims)));
     }
     return patch;
 }

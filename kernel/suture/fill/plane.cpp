@@ -92,7 +92,7 @@ Result<FillResult> fill_plane(const Hole& hole, const FillOptions& options) {
                 return parameters_of(surface, at(s).point);
             });
         }
-        patch.trims.push_back(std::move(trims));
+        patch.wires.push_back(wire_of_loop(static_cast<int>(patch.wires.size()), std::move(trims)));
     }
     FillResult result;
     result.patches.push_back(std::move(patch));

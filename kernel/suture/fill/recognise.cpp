@@ -220,17 +220,16 @@ std::vector<Proposal> proposals_for(const Border& border, const Hole& hole, std:
 }
 
 Result<FillResult> deliver(const Proposal& proposal, const Hole& hole, double distance) {
-    auto patch = extend::trimmed(proposal.surface, proposal.locate, proposal.agreement.reversed(),
-                                 hole, distance);
-    if (!patch) {
-        return tl::unexpected(patch.error());
+    auto result = extend::trimmed(proposal.surface, proposal.locate, proposal.agreement.reversed(),
+                                  hole, distance);
+    if (!result) {
+        return result;
     }
-    patch->exact = proposal.fit_error == 0.0;
-    patch->fit_error = proposal.fit_error;
-    FillResult result;
-    result.patches.push_back(std::move(*patch));
-    result.notes.push_back("recognised: " +
-                           recognise::sentence(proposal.what, proposal.agreement, proposal.facts));
+    Patch& patch = result->patches.front();
+    patch.exact = proposal.fit_error == 0.0;
+    patch.fit_error = proposal.fit_error;
+    result->notes.push_back("recognised: " +
+                            recognise::sentence(proposal.what, proposal.agreement, proposal.facts));
     return result;
 }
 

@@ -219,24 +219,30 @@ Result<void> expect_treatable(const Hole& hole, const FillOptions& options) {
     return {};
 }
 
-Patch patch_of(const tube::Net& net, const RibbonLoop& loop, const Aim& aim) {
+/// One patch with a seam from the first corner to the pole.
+FillResult lay_out(const tube::Net& net, const RibbonLoop& loop, const Aim& aim) {
     Patch patch;
     patch.surface = tube::to_surface(net);
     const auto border = std::make_shared<const tube::Border>(loop, aim.radials, aim.pole.point,
                                                              kAround, net.border());
-    auto& trims = patch.trims.emplace_back();
+    std::vector<TrimCurve> trims;
     for (int side = 0; side < border->sides(); ++side) {
         trims.emplace_back([border, side, u = net.border()](double s) -> Eigen::Vector2d {
             return {u, s == 1.0 ? border->start(side + 1)
                                 : border->start(side) + border->v_of(side, s)};
         });
     }
-    Seam seam;
-    seam.from = {net.border(), 0.0};
-    seam.to = {0.0, 0.0};
-    seam.period = {0.0, kAround};
-    patch.seam = seam;
-    return patch;
+    std::vector<EdgeUse>& wire = patch.wires.emplace_back(wire_of_loop(0, std::move(trims)));
+    const auto seam = [u = net.border()](double v) -> TrimCurve {
+        return [u, v](double s) -> Eigen::Vector2d { return {u * (1.0 - s), v}; };
+    };
+    wire.push_back({-1, 0, false, seam(kAround), /*pole_after=*/true});
+    wire.push_back({-1, 0, true, seam(0.0)});
+    FillResult result;
+    result.inner_vertices = {evaluate(patch.surface, 0.0, 0.0).point};
+    result.inner_edges = {{{0, 0}, {-1, 0}}};
+    result.patches.push_back(std::move(patch));
+    return result;
 }
 
 }  // namespace
@@ -259,8 +265,7 @@ Result<FillResult> fill_from(const Hole& hole, const FillOptions& options, const
     if (fold.turn > kMostTurn) {
         return tl::unexpected(folds(fold));
     }
-    FillResult result;
-    result.patches.push_back(patch_of(net, loop, aim));
+    FillResult result = lay_out(net, loop, aim);
     result.notes.push_back(fmt::format(
         "{} x {} poles, closed at ({:.6g}, {:.6g}, {:.6g}); at ribbon samples between the fitted "
         "ones: gap {:.2g}, angle {:.2g} deg; crease along the corners' lines {:.2g} deg",

@@ -75,8 +75,9 @@ Result<Patch> patch_of(const TopoDS_Shape& made, const RibbonLoop& loop) {
     Patch patch;
     patch.surface = *surface;
     patch.exact = false;
-    patch.trims.push_back(invert_boundary(surface, loop, guesses));
-    patch.reversed = signed_area(patch.trims.front()) < 0.0;
+    std::vector<TrimCurve> trims = invert_boundary(surface, loop, guesses);
+    patch.reversed = signed_area(trims) < 0.0;
+    patch.wires.push_back(wire_of_loop(0, std::move(trims)));
     return patch;
 }
 

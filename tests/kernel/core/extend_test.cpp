@@ -1,5 +1,6 @@
 #include "suture/fill/extend.h"
 
+#include "support/trim_of.h"
 #include "support/windows.h"
 
 #include <gtest/gtest.h>
@@ -94,8 +95,8 @@ TEST(FillExtend, KeepsTheSphereAwayFromItsPoles) {
     const Patch& patch = fill->patches.front();
     EXPECT_LT(windows::fit_of(around, patch).gap, 1e-14 * 30);
     EXPECT_LT(windows::largest_jump(patch), 1e-12);
-    for (const TrimCurve& trim : patch.trims.front()) {
-        EXPECT_LT(std::abs(trim(0.5).y()), 0.5);  // the cap has an opening of 0.37 rad
+    for (const EdgeUse& use : patch.wires.front()) {
+        EXPECT_LT(std::abs(use.at(0.5).y()), 0.5);  // the cap has an opening of 0.37 rad
     }
 }
 
@@ -176,25 +177,25 @@ RibbonLoop ring(const Surface& surface, int c, double at, double wave, double st
     return loop;
 }
 
-/// What Patch::seam promises of the trimming curves.
-void expect_well_seamed(const Patch& patch) {
-    ASSERT_TRUE(patch.seam);
-    const Seam& seam = *patch.seam;
-    const auto check = [&](int loop, int corner, const Vector2d& begin, const Vector2d& end) {
-        const auto& trims = patch.trims[static_cast<std::size_t>(loop)];
-        const std::size_t n = trims.size();
-        Vector2d now = begin;
-        for (std::size_t k = 0; k < n; ++k) {
-            const TrimCurve& trim = trims[(static_cast<std::size_t>(corner) + k) % n];
-            EXPECT_LT((trim(0.0) - now).norm(), 1e-9);
-            now = trim(1.0);
+/// One closed wire that walks one seam twice, a period apart, the first time with the patch on its
+/// other side.
+void expect_well_seamed(const FillResult& fill) {
+    const Patch& patch = fill.patches.front();
+    EXPECT_EQ(fill.inner_edges.size(), 1U);
+    ASSERT_EQ(patch.wires.size(), 1U);
+    EXPECT_LT(windows::largest_jump(patch), 1e-9);
+    std::vector<const EdgeUse*> seam;
+    for (const EdgeUse& use : patch.wires.front()) {
+        if (use.loop < 0) {
+            seam.push_back(&use);
         }
-        EXPECT_LT((now - end).norm(), 1e-9);
-    };
-    check(seam.loop, seam.corner, seam.from, seam.from + seam.period);
-    if (seam.other_loop >= 0) {
-        check(seam.other_loop, seam.other_corner, seam.to + seam.period, seam.to);
     }
+    ASSERT_EQ(seam.size(), 2U);
+    EXPECT_FALSE(seam[0]->backwards);
+    EXPECT_TRUE(seam[1]->backwards);
+    const Vector2d period = seam[0]->at(0.0) - seam[1]->at(0.0);
+    EXPECT_NEAR(period.cwiseAbs().maxCoeff(), 2.0 * kPi, 1e-12);
+    EXPECT_LT((seam[0]->at(0.7) - seam[1]->at(0.7) - period).norm(), 1e-12);
 }
 
 TEST(FillExtend, CutsABandOpenBetweenTwoLoops) {
@@ -224,7 +225,7 @@ TEST(FillExtend, CutsABandOpenBetweenTwoLoops) {
                 const auto fit = windows::fit_of(hole, patch);
                 EXPECT_LT(fit.gap, 1e-12);
                 EXPECT_LT(fit.angle, 1e-12);
-                expect_well_seamed(patch);
+                expect_well_seamed(*fill);
             }
         }
     }
@@ -243,9 +244,9 @@ TEST(FillExtend, GoesOnToTheTipOfACone) {
             ASSERT_TRUE(fill) << fill.error().message;
             const Patch& patch = fill->patches.front();
             EXPECT_LT(windows::fit_of(hole, patch).gap, 1e-12);
-            expect_well_seamed(patch);
-            EXPECT_EQ(patch.seam->other_loop, -1);
-            EXPECT_NEAR(patch.seam->to.y(), tip, 1e-12);
+            expect_well_seamed(*fill);
+            ASSERT_EQ(fill->inner_vertices.size(), 1U);
+            EXPECT_NEAR(patch.wires.front().back().at(1.0).y(), tip, 1e-12);
         }
     }
 }
@@ -294,10 +295,10 @@ TEST(FillExtend, FillsWithAnIslandOnTheSamePeriod) {
     const auto fill = fill_extend(hole, {});
     ASSERT_TRUE(fill) << fill.error().message;
     const Patch& patch = fill->patches.front();
-    ASSERT_EQ(patch.trims.size(), 2U);
+    ASSERT_EQ(patch.wires.size(), 2U);
     EXPECT_LT(windows::fit_of(hole, patch).gap, 1e-12);
-    const Vector2d outer = patch.trims[0][0](0.0);
-    EXPECT_LT((patch.trims[1][0](0.0) - outer).norm(), 1.0);
+    const Vector2d outer = test::trim_of(patch, 0, 0)(0.0);
+    EXPECT_LT((test::trim_of(patch, 1, 0)(0.0) - outer).norm(), 1.0);
 }
 
 /// A bicubic x quadratic sheet over [0,2] x [0,1], closed in u if asked.

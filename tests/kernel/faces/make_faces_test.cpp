@@ -218,8 +218,8 @@ TEST(MakeFaces, StandsAtTheFeetOfEdgesThatTheLayoutMisses) {
                              (k < 2 ? -kReach : kReach) * frame.y + kHeight * frame.z;
     }
     patch.surface = sheet;
-    for (TrimCurve& trim : patch.trims.front()) {
-        trim = [exact = trim](double s) -> Eigen::Vector2d {
+    for (EdgeUse& use : patch.wires.front()) {
+        use.at = [exact = use.at](double s) -> Eigen::Vector2d {
             return exact(s) + 0.01 * Eigen::Vector2d(std::cos(7.0 * s), std::sin(7.0 * s));
         };
     }

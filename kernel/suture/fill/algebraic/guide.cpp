@@ -42,9 +42,9 @@ Result<std::vector<GuidePoint>> guide_by_mvs(const Hole& hole, const Unit& unit,
     const Patch& patch = fill->patches.front();
     std::vector<Vector2d> polygon;
     Eigen::AlignedBox2d box;
-    for (const TrimCurve& trim : patch.trims.front()) {
+    for (const EdgeUse& use : patch.wires.front()) {
         for (int n = 0; n + 1 < kOnSide; ++n) {
-            polygon.push_back(trim(static_cast<double>(n) / (kOnSide - 1)));
+            polygon.push_back(use.at(static_cast<double>(n) / (kOnSide - 1)));
             box.extend(polygon.back());
         }
     }

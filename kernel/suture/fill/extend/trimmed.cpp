@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <memory>
 #include <optional>
 
@@ -118,6 +119,28 @@ void gather(const Chart& chart, int outer, std::vector<Trace>& traces) {
     }
 }
 
+/// Puts a band's two loops, or its loop and the pole, into one wire along the seam.
+void join_along(const Seam& seam, std::vector<std::vector<EdgeUse>>& wires) {
+    const auto from_corner = [&](int loop, int corner) {
+        std::vector<EdgeUse> wire = std::move(wires[static_cast<std::size_t>(loop)]);
+        std::rotate(wire.begin(), wire.begin() + corner, wire.end());
+        return wire;
+    };
+    const auto line = [](const Vector2d& a, const Vector2d& b) -> TrimCurve {
+        return [=](double s) -> Vector2d { return a + s * (b - a); };
+    };
+    const bool to_pole = seam.other_loop < 0;
+    std::vector<EdgeUse> wire = from_corner(seam.loop, seam.corner);
+    wire.push_back({-1, 0, false, line(seam.from + seam.period, seam.to + seam.period), to_pole});
+    if (!to_pole) {
+        std::vector<EdgeUse> beyond = from_corner(seam.other_loop, seam.other_corner);
+        std::move(beyond.begin(), beyond.end(), std::back_inserter(wire));
+    }
+    wire.push_back({-1, 0, true, line(seam.from, seam.to)});
+    std::erase_if(wires, [](const auto& emptied) { return emptied.empty(); });
+    wires.insert(wires.begin(), std::move(wire));
+}
+
 }  // namespace
 
 Result<bool> reversed_on(const Surface& surface, const Locate& locate, const Hole& hole) {
@@ -140,8 +163,8 @@ Result<bool> reversed_on(const Surface& surface, const Locate& locate, const Hol
     return inward > 0;
 }
 
-Result<Patch> trimmed(const Surface& surface, const Locate& locate, bool reversed, const Hole& hole,
-                      double distance) {
+Result<FillResult> trimmed(const Surface& surface, const Locate& locate, bool reversed,
+                           const Hole& hole, double distance) {
     Chart chart = chart_of(surface, distance, hole.diameter);
     chart.locate = locate;
     if (auto* sphere = std::get_if<Sphere>(&chart.surface)) {
@@ -155,32 +178,49 @@ Result<Patch> trimmed(const Surface& surface, const Locate& locate, bool reverse
     if (!region) {
         return tl::unexpected(region.error());
     }
-    Patch patch;
+    std::optional<Seam> seam;
     if (region->kind == Region::Kind::Disc) {
         gather(chart, region->outer, traces);
     } else {
-        const auto seam = cut_open(chart, *region, traces, hole.tolerance);
-        if (!seam) {
-            return tl::unexpected(seam.error());
+        const auto cut = cut_open(chart, *region, traces, hole.tolerance);
+        if (!cut) {
+            return tl::unexpected(cut.error());
         }
-        patch.seam = *seam;
+        seam = *cut;
     }
     if (auto* spline = std::get_if<SplineSurface>(&chart.surface)) {
-        make_room(*spline, chart.period, traces, patch.seam);
+        make_room(*spline, chart.period, traces, seam);
     } else if (chart.period.x() > 0.0) {
-        make_room(chart.surface, traces, patch.seam);
+        make_room(chart.surface, traces, seam);
     }
+    Patch patch;
     patch.surface = chart.surface;
     patch.reversed = reversed;
     const auto shared = std::make_shared<const Chart>(std::move(chart));
     for (std::size_t l = 0; l < hole.loops.size(); ++l) {
-        patch.pole_corners.push_back(traces[l].pole_corners);
-        auto& row = patch.trims.emplace_back();
+        std::vector<TrimCurve> row;
         for (std::size_t i = 0; i < hole.loops[l].ribbons.size(); ++i) {
             row.push_back(trim_of(shared, hole.loops[l].ribbons[i], traces[l].sides[i]));
         }
+        std::vector<EdgeUse>& wire =
+            patch.wires.emplace_back(wire_of_loop(static_cast<int>(l), std::move(row)));
+        for (const int corner : traces[l].pole_corners) {
+            const std::size_t before = (static_cast<std::size_t>(corner) + wire.size() - 1);
+            wire[before % wire.size()].pole_after = true;
+        }
     }
-    return patch;
+    FillResult result;
+    if (seam) {
+        join_along(*seam, patch.wires);
+        const bool to_pole = seam->other_loop < 0;
+        result.inner_edges = {{{seam->loop, seam->corner},
+                               to_pole ? Node{-1, 0} : Node{seam->other_loop, seam->other_corner}}};
+        if (to_pole) {
+            result.inner_vertices = {evaluate(patch.surface, seam->to.x(), seam->to.y()).point};
+        }
+    }
+    result.patches.push_back(std::move(patch));
+    return result;
 }
 
 }  // namespace suture::extend

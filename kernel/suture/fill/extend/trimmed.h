@@ -17,11 +17,10 @@ namespace suture::extend {
 /// moved out of the hole or made an edge of the patch, a B-spline continued where it is too short.
 ///
 /// Input    surface: the whole border lies on it; locate: where, for a B-spline;
-/// reversed: the
-///          outside is -(X_u x X_v); distance: how far apart points may lie that are one, in model
-///          units.
+///          reversed: the outside is -(X_u x X_v); distance: how far apart points may lie that are
+///          one, in model units.
 /// Refuses  loops that bound no one face of the surface, seen from that side.
-[[nodiscard]] Result<Patch> trimmed(const Surface& surface, const Locate& locate, bool reversed,
-                                    const Hole& hole, double distance);
+[[nodiscard]] Result<FillResult> trimmed(const Surface& surface, const Locate& locate,
+                                         bool reversed, const Hole& hole, double distance);
 
 }  // namespace suture::extend

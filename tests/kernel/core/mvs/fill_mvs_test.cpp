@@ -1,4 +1,5 @@
 #include "support/ribbon_zoo.h"
+#include "support/trim_of.h"
 #include "suture/base/tolerance.h"
 #include "suture/fill/mvs.h"
 
@@ -43,7 +44,7 @@ Measured measure(const Hole& hole, const FillResult& result, const Truth& truth)
         for (int k = 0; k <= 67; ++k) {
             const double s = k / 67.0;
             const RibbonPoint q = ribbons[i].at(s);
-            const Vector2d uv = patch.trims[0][i](s);
+            const Vector2d uv = test::trim_of(patch, 0, i)(s);
             const SurfaceJet j = evaluate(surface, uv.x(), uv.y());
             const Vector3d n = j.u.cross(j.v).normalized();
             m.gap = std::max(m.gap, (j.point - q.point).norm() / hole.diameter);
@@ -288,8 +289,9 @@ TEST(FillMvs, TurnsScalesAndShiftsWithTheHole) {
             const Result<FillResult> moved = fill_mvs(torus_window(island, linear, shift), options);
             ASSERT_TRUE(moved) << moved.error().message;
             for (const double s : {0.1, 0.6}) {
-                EXPECT_LT(distance_between(*plain, *moved, 0.8 * plain->patches[0].trims[0][0](s),
-                                           0.8 * moved->patches[0].trims[0][0](s), linear, shift),
+                EXPECT_LT(distance_between(
+                              *plain, *moved, 0.8 * test::trim_of(plain->patches[0], 0, 0)(s),
+                              0.8 * test::trim_of(moved->patches[0], 0, 0)(s), linear, shift),
                           kSame * factor)
                     << "scale " << factor << (island ? ", island" : "");
             }
@@ -323,10 +325,11 @@ TEST(FillMvs, DoesNotDependOnTheSideFromWhichTheHoleIsSeen) {
         ASSERT_TRUE(plain && turned);
         const std::size_t last = hole.loops[0].ribbons.size() - 1;
         for (const double s : {0.1, 0.6}) {
-            EXPECT_LT(distance_between(*plain, *turned, 0.8 * plain->patches[0].trims[0][0](s),
-                                       0.8 * turned->patches[0].trims[0][last](1.0 - s),
-                                       Eigen::Matrix3d::Identity(), Vector3d::Zero()),
-                      kSame)
+            EXPECT_LT(
+                distance_between(*plain, *turned, 0.8 * test::trim_of(plain->patches[0], 0, 0)(s),
+                                 0.8 * test::trim_of(turned->patches[0], 0, last)(1.0 - s),
+                                 Eigen::Matrix3d::Identity(), Vector3d::Zero()),
+                kSame)
                 << (island ? "island" : "plain");
         }
     }
@@ -339,8 +342,8 @@ TEST(FillMvs, DoesNotDependOnTheStartEdge) {
     std::rotate(ribbons.begin(), ribbons.begin() + 2, ribbons.end());
     const Result<FillResult> turned = fill_mvs(hole, {});
     ASSERT_TRUE(plain && turned);
-    const Vector2d a = 0.5 * plain->patches[0].trims[0][2](0.3);
-    const Vector2d b = 0.5 * turned->patches[0].trims[0][0](0.3);
+    const Vector2d a = 0.5 * test::trim_of(plain->patches[0], 0, 2)(0.3);
+    const Vector2d b = 0.5 * test::trim_of(turned->patches[0], 0, 0)(0.3);
     const SurfaceJet j = evaluate(std::get<SplineSurface>(plain->patches[0].surface), a.x(), a.y());
     const Vector3d q =
         evaluate(std::get<SplineSurface>(turned->patches[0].surface), b.x(), b.y()).point;
@@ -356,7 +359,7 @@ std::pair<double, double> at_island(const Hole& hole, const FillResult& result) 
     for (std::size_t i = 0; i < hole.loops[1].ribbons.size(); ++i) {
         for (int k = 0; k <= 61; ++k) {
             const RibbonPoint q = hole.loops[1].ribbons[i].at(k / 61.0);
-            const Vector2d uv = patch.trims[1][i](k / 61.0);
+            const Vector2d uv = test::trim_of(patch, 1, i)(k / 61.0);
             const SurfaceJet j = evaluate(surface, uv.x(), uv.y());
             const Vector3d n = j.u.cross(j.v).normalized();
             gap = std::max(gap, (j.point - q.point).norm() / hole.diameter);
@@ -374,7 +377,7 @@ TEST(FillMvs, GivesASphereBackBetweenARimAndIslandsOfAnyShape) {
                                       zoo::window(sphere, reversed(window.curves)));
         const Result<FillResult> result = fill_mvs(hole, {});
         ASSERT_TRUE(result) << result.error().message;
-        ASSERT_EQ(result->patches[0].trims.size(), 2U);
+        ASSERT_EQ(result->patches[0].wires.size(), 2U);
         const auto [gap, angle] = at_island(hole, *result);
         EXPECT_LT(gap, 2e-6);
         EXPECT_LT(angle, 0.001);
@@ -403,9 +406,9 @@ TEST(FillMvs, FilletsABossOnAPlateAllTheWayAround) {
     // Near the ball-rolled fillet, a piece of a torus, in all directions.
     const Patch& patch = result->patches.front();
     const auto& surface = std::get<SplineSurface>(patch.surface);
-    for (const TrimCurve& trim : patch.trims[0]) {
+    for (const EdgeUse& use : patch.wires[0]) {
         for (const double s : {0.1, 0.3, 0.8}) {
-            const Vector2d uv = 0.8 * trim(s);
+            const Vector2d uv = 0.8 * use.at(s);
             const Vector3d p = evaluate(surface, uv.x(), uv.y()).point;
             const Vector2d meridian(p.head<2>().norm() - boss - fillet, p.z() - fillet);
             EXPECT_NEAR(meridian.norm(), fillet, 0.06 * fillet);

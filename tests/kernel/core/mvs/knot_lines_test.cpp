@@ -1,6 +1,7 @@
 #include "suture/fill/mvs/knot_lines.h"
 
 #include "support/ribbon_zoo.h"
+#include "support/trim_of.h"
 #include "suture/fill/mvs.h"
 #include "suture/fill/mvs/schedule.h"
 
@@ -114,7 +115,7 @@ double angle_of(const Hole& hole, const FillResult& fill) {
             const double t = k / 301.0;
             const double s = t * t * (3.0 - 2.0 * t);  // denser at the ends
             const RibbonPoint q = ribbons[i].at(s);
-            const Vector2d uv = fill.patches.front().trims[0][i](s);
+            const Vector2d uv = test::trim_of(fill.patches.front(), 0, i)(s);
             const SurfaceJet j = evaluate(surface, uv.x(), uv.y());
             const Vector3d n = j.u.cross(j.v).normalized();
             worst = std::max(worst, std::atan2(n.cross(q.normal).norm(), n.dot(q.normal)));

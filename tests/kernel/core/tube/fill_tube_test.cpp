@@ -1,4 +1,5 @@
 #include "support/ribbon_zoo.h"
+#include "support/trim_of.h"
 #include "suture/fill/tube.h"
 #include "suture/fill/tube/fairing.h"
 #include "suture/fill/tube/pole.h"
@@ -38,7 +39,7 @@ Worst at_border(const Hole& hole, const Patch& patch) {
             // Short of the ends, where the surface has a normal for each side.
             const double s = 1e-9 + (1.0 - 2e-9) * k / kSamples;
             const RibbonPoint wanted = ribbons[i].at(s);
-            const Eigen::Vector2d uv = patch.trims[0][i](s);
+            const Eigen::Vector2d uv = test::trim_of(patch, 0, i)(s);
             const SurfaceJet jet = evaluate(patch.surface, uv.x(), uv.y());
             worst.gap = std::max(worst.gap, (jet.point - wanted.point).norm());
             worst.angle = std::max(worst.angle, angle_between(jet.u.cross(jet.v), wanted.normal));
@@ -122,13 +123,13 @@ TEST(FillTube, HasOneNormalAtThePole) {
         const auto fill = fill_tube(hole, options_for(hole));
         ASSERT_TRUE(fill) << name;
         const Surface& surface = fill->patches.front().surface;
-        const Eigen::Vector2d period = fill->patches.front().seam->period;
+        const double period = std::get<SplineSurface>(surface).knots_v.back();
         double last = INFINITY;
         for (const double u : {1e-2, 1e-3, 1e-4, 1e-5}) {
             std::vector<Vector3d> normals;
             Vector3d mean = Vector3d::Zero();
             for (int k = 0; k < 200; ++k) {
-                const SurfaceJet jet = evaluate(surface, u, period.y() * (k + 0.5) / 200);
+                const SurfaceJet jet = evaluate(surface, u, period * (k + 0.5) / 200);
                 normals.push_back(jet.u.cross(jet.v).normalized());
                 mean += normals.back();
             }
