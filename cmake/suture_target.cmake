@@ -47,7 +47,8 @@ function(suture_module name folder)
     target_link_options(
         suture_${folder} INTERFACE
         "$<INSTALL_INTERFACE:LINKER:-rpath,$<INSTALL_PREFIX>/${CMAKE_INSTALL_LIBDIR}/suture>")
-    install(TARGETS ${module} LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/suture)
+    install(TARGETS ${module} LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/suture
+                              COMPONENT program)
 endfunction()
 
 # suture_program(NAME FOLDER SOURCES file... LINK library...)
@@ -58,14 +59,16 @@ function(suture_program name folder)
     set(program suture_program_${name})
     add_executable(${program} ${arg_SOURCES})
     set_target_properties(${program} PROPERTIES OUTPUT_NAME suture_${name}
-                                                RUNTIME_OUTPUT_DIRECTORY ${SUTURE_MODULE_DIR})
+                                                RUNTIME_OUTPUT_DIRECTORY ${SUTURE_MODULE_DIR}
+                                                INSTALL_RPATH $ORIGIN BUILD_WITH_INSTALL_RPATH ON)
     target_include_directories(${program} PRIVATE ${SUTURE_INCLUDE_ROOT})
     target_link_libraries(${program} PRIVATE ${arg_LINK} suture_flags)
     add_dependencies(suture_${folder} ${program})
     target_link_options(
         suture_${folder} INTERFACE
         "$<INSTALL_INTERFACE:LINKER:-rpath,$<INSTALL_PREFIX>/${CMAKE_INSTALL_LIBDIR}/suture>")
-    install(TARGETS ${program} RUNTIME DESTINATION ${CMAKE_INSTALL_LIBDIR}/suture)
+    install(TARGETS ${program} RUNTIME DESTINATION ${CMAKE_INSTALL_LIBDIR}/suture
+                               COMPONENT program)
 endfunction()
 
 # suture_group(NAME folder...): one name for several folders.

@@ -1,0 +1,99 @@
+#!/bin/sh
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# Installs what is shipped into bare roots of Debian 12 and 13, as docs/ship.md says, and uses it there.
+# Needs root, debootstrap, overlayfs, and 1 GB.
+#
+#   run.sh roots           makes the bare roots (once, some minutes)
+#   run.sh bundle          the bundle, without network, without root's rights
+#   run.sh wheel           the wheel, by pip, without network
+#   run.sh all             these in turn
+#
+# SUTURE_ROOTS    where the bare roots are, by default ~/.cache/suture-bare
+# SUTURE_DISTS    by default "bookworm trixie"
+# SUTURE_MIRROR   the mirror, by default the first one that apt uses here
+set -eu
+source=$(dirname "$(dirname "$(dirname "$(readlink -f "$0")")")")
+ship=$source/build/release/ship
+roots=${SUTURE_ROOTS:-$HOME/.cache/suture-bare}
+dists=${SUTURE_DISTS:-bookworm trixie}
+scratch=$(mktemp -d)
+root=$scratch/root
+
+mirror() {
+    [ -n "${SUTURE_MIRROR-}" ] && echo "$SUTURE_MIRROR" && return
+    apt-get indextargets --format '$(REPO_URI)' | grep -m1 '/debian/\?$'
+}
+
+make_roots() {
+    mkdir -p "$roots"
+    for dist in $dists; do
+        [ -x "$roots/$dist/usr/bin/apt-get" ] ||
+            debootstrap --variant=minbase "$dist" "$roots/$dist" "$(mirror)"
+    done
+}
+
+# A fresh copy of a bare root, that leaves no trace in it.
+fresh() {
+    leave
+    mkdir -p "$scratch/layer" "$root"
+    mount -t tmpfs tmpfs "$scratch/layer"
+    mkdir "$scratch/layer/upper" "$scratch/layer/work"
+    mount -t overlay overlay -o \
+        "lowerdir=$roots/$1,upperdir=$scratch/layer/upper,workdir=$scratch/layer/work" "$root"
+    mount -t proc proc "$root/proc"
+    mount --bind /dev "$root/dev"
+    mkdir -p "$root/home/user"
+    cp "$source/docs/examples/suitcase_corner.step" "$root/home/user/"
+    cp "$source"/tests/ship/in_root/* "$root/home/user/"
+}
+
+leave() {
+    for place in "$root/dev" "$root/proc" "$root" "$scratch/layer"; do
+        ! mountpoint -q "$place" || umount -l "$place"
+    done
+}
+
+# A user without rights and without network. $1 is what to run in the user's home.
+as_user() {
+    chroot "$root" chown -R nobody:nogroup /home/user
+    unshare --net chroot --userspec=nobody:nogroup "$root" env -i HOME=/home/user LC_ALL=C.UTF-8 \
+        PATH=/usr/bin:/bin sh -euc "cd /home/user; $1"
+}
+
+bundle() {
+    for dist in $dists; do
+        fresh "$dist"
+        echo "=== bundle in $dist"
+        # xz is not in a bare root, so it is unpacked from here.
+        mkdir "$root/home/user/some where"
+        tar -xJf "$ship"/suture-*-linux-x86_64.tar.xz -C "$root/home/user/some where"
+        as_user 'sh use_program.sh "$PWD"/some*/suture-*/bin/suture'
+    done
+}
+
+# What the user has of Debian beforehand, by the network.
+given() {
+    cp /etc/resolv.conf "$root/etc/resolv.conf"
+    chroot "$root" env DEBIAN_FRONTEND=noninteractive LC_ALL=C.UTF-8 sh -euc "apt-get -qq update
+        apt-get -qq install -y --no-install-recommends $* >/dev/null"
+}
+
+wheel() {
+    for dist in $dists; do
+        fresh "$dist"
+        echo "=== wheel in $dist"
+        given python3-venv
+        cp "$ship"/suture-*.whl "$root/home/user/"
+        as_user 'python3 -m venv venv && venv/bin/pip -q install --no-index suture-*.whl
+            sh use_program.sh venv/bin/suture
+            venv/bin/python use_python.py'
+    done
+}
+
+trap 'leave; rm -rf "$scratch"' EXIT
+case ${1-} in
+    roots) make_roots ;;
+    bundle | wheel) $1 ;;
+    all) make_roots && bundle && wheel ;;
+    *) sed -n '3,15s/^# \{0,1\}//p' "$0" >&2; exit 1 ;;
+esac
