@@ -2,6 +2,7 @@
 #include "support/trim_of.h"
 #include "suture/base/tolerance.h"
 #include "suture/fill/mvs.h"
+#include "suture/fill/mvs/schedule.h"
 
 #include <Eigen/Geometry>
 
@@ -460,6 +461,19 @@ TEST(FillMvs, StopsWhenCancelled) {
     const Result<FillResult> result = fill_mvs(zoo::suitcase_corner(1.0), options);
     ASSERT_FALSE(result);
     EXPECT_EQ(result.error().code, ErrorCode::Cancelled);
+}
+
+TEST(FillMvs, BeginsAgainFromAFinerNetWhereWavesAreShorterThanASpan) {
+    const zoo::Surface waves = zoo::wavy(0.2, 5.0);
+    const Truth truth{waves, {-0.8, -0.9}, {1.4, 1.3}};
+    const Hole hole = zoo::window(waves, zoo::circle({0.3, 0.2}, 1.0, 3));
+    mvs::Schedule coarse_only;
+    coarse_only.fine_first_spans = coarse_only.first_spans;
+    const auto both = fill_mvs(hole, {});
+    const auto coarse = fill_mvs(hole, {}, coarse_only);
+    ASSERT_TRUE(both && coarse);
+    EXPECT_LT(measure(hole, *both, truth).angle_deg, 0.01);
+    EXPECT_GT(measure(hole, *coarse, truth).angle_deg, 1.0);
 }
 
 }  // namespace
