@@ -10,6 +10,7 @@ from pathlib import Path
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 
 import bench  # noqa: E402
+import judge_cost  # noqa: E402
 import overhead  # noqa: E402
 import tables  # noqa: E402
 from cases import Case, reopened_cases  # noqa: E402
@@ -98,6 +99,17 @@ class Overhead(unittest.TestCase):
 
     def test_measuring_the_trial_of_one_method_is_overhead(self):
         self.assertEqual(self.seconds_of("mvs"), 1.0)
+
+
+class JudgeCost(unittest.TestCase):
+    def test_the_share_of_a_function_is_that_of_its_name_alone(self):
+        report = (
+            "    37.16%  [.] suture::choose_fill\n"
+            "     4.18%  [.] suture::find_clashes\n"
+            "     9.00%  [.] std::_Function_handler<void (), suture::find_clashes::{lambda()#1}>\n"
+        )
+        self.assertAlmostEqual(judge_cost.share_of("suture::find_clashes", report), 0.0418)
+        self.assertEqual(judge_cost.share_of("suture::find_folds", report), 0.0)
 
 
 class Bench(unittest.TestCase):
