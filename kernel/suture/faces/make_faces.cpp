@@ -80,10 +80,11 @@ Ends ends_of(const Patch& patch) {
     return Ends::Feet;
 }
 
-/// The faces of one fill.
-class FaceMaker {
+}  // namespace
+
+class PlacedFaces::Maker {
   public:
-    FaceMaker(const std::vector<BoundaryLoop>& loops, const Hole& hole, const FillResult& result)
+    Maker(const std::vector<BoundaryLoop>& loops, const Hole& hole, const FillResult& result)
         : loops_(loops),
           hole_(hole),
           accuracy_(kPcurveAccuracy * hole.diameter),
@@ -217,22 +218,38 @@ class FaceMaker {
     }
 };
 
-}  // namespace
+PlacedFaces::PlacedFaces(std::unique_ptr<Maker> maker) : maker_(std::move(maker)) {}
+PlacedFaces::PlacedFaces(PlacedFaces&& other) noexcept = default;
+PlacedFaces& PlacedFaces::operator=(PlacedFaces&& other) noexcept = default;
+PlacedFaces::~PlacedFaces() = default;
 
-Result<NewFaces> make_faces(const std::vector<BoundaryLoop>& loops, const Hole& hole,
-                            const FillResult& result) {
-    return occ::guarded("making the new face", [&]() -> Result<NewFaces> {
-        FaceMaker maker(loops, hole, result);
+Result<NewFaces> PlacedFaces::make() {
+    return occ::guarded("making the new face", [&] { return maker_->make(); });
+}
+
+Result<PlacedFaces> place_faces(const std::vector<BoundaryLoop>& loops, const Hole& hole,
+                                const FillResult& result) {
+    return occ::guarded("making the new face", [&]() -> Result<PlacedFaces> {
+        auto maker = std::make_unique<PlacedFaces::Maker>(loops, hole, result);
         for (const Patch& patch : result.patches) {
-            if (const auto laid = maker.lay_out(patch); !laid) {
+            if (const auto laid = maker->lay_out(patch); !laid) {
                 return tl::unexpected(laid.error());
             }
         }
-        if (const auto placed = maker.place(); !placed) {
+        if (const auto placed = maker->place(); !placed) {
             return tl::unexpected(placed.error());
         }
-        return maker.make();
+        return PlacedFaces(std::move(maker));
     });
+}
+
+Result<NewFaces> make_faces(const std::vector<BoundaryLoop>& loops, const Hole& hole,
+                            const FillResult& result) {
+    auto placed = place_faces(loops, hole, result);
+    if (!placed) {
+        return tl::unexpected(placed.error());
+    }
+    return placed->make();
 }
 
 }  // namespace suture

@@ -7,6 +7,7 @@
 
 #include <TopoDS_Face.hxx>
 
+#include <memory>
 #include <vector>
 
 namespace suture {
@@ -21,6 +22,36 @@ struct NewFaces {
     double grown_tolerance = 0.0;    ///< the largest of these tolerances
 };
 
+/// New faces whose place on the hole's edges is known, but which are not made yet.
+class PlacedFaces {
+  public:
+    PlacedFaces(PlacedFaces&& other) noexcept;
+    PlacedFaces& operator=(PlacedFaces&& other) noexcept;
+    ~PlacedFaces();
+
+    /// Makes them, once. Changes the edges.
+    [[nodiscard]] Result<NewFaces> make();
+
+  private:
+    class Maker;
+    explicit PlacedFaces(std::unique_ptr<Maker> maker);
+    friend Result<PlacedFaces> place_faces(const std::vector<BoundaryLoop>& loops, const Hole& hole,
+                                           const FillResult& result);
+
+    std::unique_ptr<Maker> maker_;
+};
+
+/// Finds the curves of the edges on the new surfaces: most of the work. It changes nothing, so that
+/// it can be done for many holes at once.
+///
+/// Input    loops: the hole's, in the order of hole.loops; result: what a fill method made of them.
+///          All three have to stay as they are until the faces are made.
+/// Refuses  a patch whose surface or trimming curves OCCT cannot take.
+[[nodiscard]] Result<PlacedFaces> place_faces(const std::vector<BoundaryLoop>& loops,
+                                              const Hole& hole, const FillResult& result);
+
+/// Both steps in one.
+///
 /// Input    loops: the hole's, in the order of hole.loops; result: what a fill method made of them.
 /// Refuses  a patch whose surface or trimming curves OCCT cannot take.
 [[nodiscard]] Result<NewFaces> make_faces(const std::vector<BoundaryLoop>& loops, const Hole& hole,

@@ -5,20 +5,40 @@
 #include "suture/faces/unite_corners.h"
 
 #include <fmt/format.h>
+#include <tbb/parallel_for.h>
 
 #include <chrono>
+#include <optional>
 
 namespace suture {
 namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// The faces of one fill on the shape's own edges. What was computed has been made on copies
-/// before, so that it is not refused here.
-void apply_fill(const TopoDS_Shape& shape, ComputedFill& fill, FillOutcome& outcome) {
+using Placed = std::optional<Result<PlacedFaces>>;
+
+/// Where the faces of the fills lie on the shape's own edges.
+std::vector<Placed> place_all(const TopoDS_Shape& shape, std::vector<ComputedFill>& fills) {
+    for (ComputedFill& fill : fills) {
+        if (fill.report.status == FillStatus::Filled) {
+            unite_corners(shape, fill.loops);
+        }
+    }
+    std::vector<Placed> placed(fills.size());
+    tbb::parallel_for(std::size_t{0}, fills.size(), [&](std::size_t i) {
+        const ComputedFill& fill = fills[i];
+        if (fill.report.status == FillStatus::Filled) {
+            placed[i] = place_faces(fill.loops, fill.hole, fill.fill);
+        }
+    });
+    return placed;
+}
+
+/// The faces of one fill. What was computed has been made on copies before, so that it is not
+/// refused here.
+void apply_fill(Result<PlacedFaces>& placed, ComputedFill& fill, FillOutcome& outcome) {
     HoleReport& report = fill.report;
-    unite_corners(shape, fill.loops);
-    auto made = make_faces(fill.loops, fill.hole, fill.fill);
+    auto made = placed ? placed->make() : tl::unexpected(placed.error());
     if (!made) {
         report.status = FillStatus::Refused;
         report.reason = made.error().message;
@@ -40,9 +60,11 @@ void apply_fill(const TopoDS_Shape& shape, ComputedFill& fill, FillOutcome& outc
 Result<FillOutcome> apply_fills(const TopoDS_Shape& shape, std::vector<ComputedFill> fills) {
     const auto start = Clock::now();
     FillOutcome outcome;
-    for (ComputedFill& fill : fills) {
-        if (fill.report.status == FillStatus::Filled) {
-            apply_fill(shape, fill, outcome);
+    std::vector<Placed> placed = place_all(shape, fills);
+    for (std::size_t i = 0; i < fills.size(); ++i) {
+        ComputedFill& fill = fills[i];
+        if (placed[i]) {
+            apply_fill(*placed[i], fill, outcome);
         }
         outcome.seconds_fill += fill.seconds_fill;
         outcome.seconds_choose += fill.seconds_choose;
