@@ -1,4 +1,5 @@
 #include "cli/arguments.h"
+#include "cli/batch.h"
 #include "cli/check_report.h"
 #include "cli/options.h"
 #include "cli/profile_file.h"
@@ -159,6 +160,7 @@ std::shared_ptr<Command> add_check(CLI::App& app) {
     add_picture(*command);
     command->validate = [options] { return validate(*options); };
     const Command* self = command.get();
+    add_batch_options(*command->app, false);
     command->run = [options, self](Run& run) { return check(run, *self, *options); };
     return command;
 }

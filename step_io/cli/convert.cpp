@@ -1,6 +1,7 @@
 #include "cli/convert.h"
 
 #include "cli/arguments.h"
+#include "cli/batch.h"
 #include "cli/load.h"
 #include "cli/options.h"
 #include "cli/report_json.h"
@@ -141,6 +142,7 @@ std::shared_ptr<Command> add_convert(CLI::App& app) {
         ->option_text("MM");
     add_mesh(sub, options->mesh);
     sub.add_flag("--force", options->force, "Allow OUT to be IN itself");
+    add_batch_options(*command->app, true);
     Command* self = command.get();
     command->validate = [options, self] { return validate(*self, *options); };
     command->run = [options, self](Run& run) { return convert(run, *self, *options); };

@@ -1,4 +1,5 @@
 #include "cli/arguments.h"
+#include "cli/batch.h"
 #include "cli/convert.h"
 #include "cli/fill_page.h"
 #include "cli/fill_report.h"
@@ -235,6 +236,7 @@ std::shared_ptr<Command> add_fill(CLI::App& app) {
     add_reports(*command);
     add_picture(*command);
     sub.add_flag("--force", options->force, "Allow OUT to be IN itself");
+    add_batch_options(*command->app, true);
     Command* self = command.get();
     command->validate = [options, self] { return validate_fill(*self, *options); };
     command->run = [options, self](Run& run) -> Result<Outcome> {

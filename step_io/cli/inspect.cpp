@@ -1,3 +1,4 @@
+#include "cli/batch.h"
 #include "cli/load.h"
 #include "cli/options.h"
 #include "cli/report_json.h"
@@ -196,6 +197,7 @@ std::shared_ptr<Command> add_inspect(CLI::App& app) {
     add_sewing(*command, *options);
     command->validate = [options] { return validate_sewing(*options); };
     const Command* self = command.get();
+    add_batch_options(*command->app, false);
     command->run = [options, self](Run& run) { return inspect(run, *self, *options); };
     return command;
 }

@@ -1,6 +1,8 @@
 #include "cli/algebraic.h"
 #include "cli/arguments.h"
+#include "cli/batch.h"
 #include "cli/command.h"
+#include "cli/describe.h"
 #include "cli/options.h"
 #include "cli/patch.h"
 #include "cli/report_html.h"
@@ -266,7 +268,28 @@ std::optional<int> parse(CLI::App& app, const std::vector<std::string>& given) {
     return std::nullopt;
 }
 
-int run_program(const std::vector<std::string>& words) {
+/// The many files that a command line is about, if it is.
+Result<std::optional<Batch>> batch_of(const CLI::App& app, const std::vector<std::string>& words) {
+    const std::vector<const CLI::App*> commands = app.get_subcommands({});
+    const auto command = std::ranges::find_if(commands, [&](const CLI::App* one) {
+        return !words.empty() && one->get_name() == words.front();
+    });
+    if (command == commands.end()) {
+        return std::nullopt;
+    }
+    Result<std::optional<Batch>> batch = parse_batch(**command, join_number_lists(words));
+    if (batch && *batch && !(*batch)->folder.empty()) {
+        const std::filesystem::path folder = (*batch)->items.front().document.parent_path();
+        std::error_code error;
+        std::filesystem::create_directories(folder, error);
+        if (error) {
+            return fail(ErrorCode::Usage, "--out-dir {}: {}", folder.string(), error.message());
+        }
+    }
+    return batch;
+}
+
+int run_program(std::vector<std::string> words) {
     CLI::App app(kAbout, "suture");
     app.set_version_flag("--version", "suture " SUTURE_VERSION);
     app.footer(kFooter);
@@ -275,6 +298,18 @@ int run_program(const std::vector<std::string>& words) {
     const std::vector<std::shared_ptr<Command>> commands{
         add_inspect(app), add_fill(app),    add_check(app), add_convert(app),  add_sew(app),
         add_patch(app),   add_methods(app), add_demo(app),  add_algebraic(app)};
+    if (!words.empty() && words.front() == "describe") {  // for packages, so not in the help
+        const Result<std::string> text = describe(app, {words.begin() + 1, words.end()});
+        return text ? print_result(ResultStream(false), *text, kDone)
+                    : print_usage_error(words, {}, text.error());
+    }
+    const Result<std::optional<Batch>> batch = batch_of(app, words);
+    if (!batch) {
+        return print_usage_error(words, {words.front()}, batch.error());
+    }
+    if (*batch) {
+        words = (*batch)->items.front().words;  // what is wrong with one is so with all
+    }
     if (const std::optional<int> ended = parse(app, words)) {
         return *ended;
     }
@@ -289,7 +324,7 @@ int run_program(const std::vector<std::string>& words) {
         if (!valid) {
             return print_failure(*command, valid.error(), kUsage, print_to_stdout);
         }
-        return supervised(*command);
+        return *batch ? run_batch(**batch) : supervised(*command);
     }
     return kUsage;
 }

@@ -2,6 +2,7 @@
 
 #include "cli/arguments.h"
 
+#include "report/scene.h"
 #include <fmt/ranges.h>
 
 #include <algorithm>
@@ -138,6 +139,10 @@ Result<void> validate_picture(const Command& command) {
     const CommonOptions& common = command.common;
     if (common.picture.empty()) {
         return {};
+    }
+    if (report::viewer_script().empty()) {
+        return fail(ErrorCode::Usage,
+                    "--picture: this program was built without (SUTURE_REPORT=OFF)");
     }
     if (common.picture.extension() != ".png") {
         return fail(ErrorCode::Usage, "--picture {}: give it the ending .png",

@@ -56,6 +56,9 @@ std::string html_of(const Section& section) {
 }  // namespace
 
 std::string html_report(const Command& command, const Outcome& outcome, std::string_view scene) {
+    if (report::viewer_script().empty()) {
+        scene = {};  // built without it (SUTURE_REPORT=OFF)
+    }
     const std::string file = escape_markup(command.input.filename().string());
     const std::string title = fmt::format("suture {}", command.name);
     std::string html = fmt::format(

@@ -51,6 +51,7 @@ class InstalledPackage(unittest.TestCase):
         run(
             *("cmake", "-S", SOURCE / "tests/package/consumer", "-B", built, "-G", "Ninja"),
             *(f"-DCMAKE_PREFIX_PATH={self.prefix}", "-DCMAKE_BUILD_TYPE=Release"),
+            f"-DEXAMPLE={SOURCE}/docs/examples/fill_a_model.cpp",
             *flags(),
         )
         run("cmake", "--build", built)
@@ -68,6 +69,11 @@ class InstalledPackage(unittest.TestCase):
         self.assertIn("STEP", run(built / "io_consumer", step))
         # By a module, which is looked for where the package lies.
         self.assertEqual(run(built / "io_consumer", self.write_iges()).split(), ["IGES", "1"])
+
+        filled = self.folder / "filled.step"
+        said = run(built / "example", SOURCE / "docs/examples/suitcase_corner.step", filled)
+        self.assertIn("0 free edges", said)
+        self.assertIn('"solids": 1', run(self.prefix / "bin/suture", "check", filled, "--json"))
 
         linked = run("ldd", built / "core_consumer")
         self.assertNotIn("libTK", linked, "the core knows nothing of OCCT")
