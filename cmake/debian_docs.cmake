@@ -5,7 +5,7 @@ file(WRITE ${PROJECT_BINARY_DIR}/debian/copyright
 Upstream-Name: Suture
 
 Files: *
-Copyright: the Suture developers
+Copyright: 2026 the Suture developers
 License: LGPL-2.1+
  On Debian systems the text of the GNU Lesser General Public License 2.1 is in
  /usr/share/common-licenses/LGPL-2.1.
@@ -15,7 +15,7 @@ file(WRITE ${PROJECT_BINARY_DIR}/debian/changelog
 
   * See CHANGELOG.md.
 
- -- The Suture developers <maintainers@localhost>  Thu, 01 Jan 1970 00:00:00 +0000
+ -- ${CPACK_PACKAGE_CONTACT}  Thu, 01 Jan 1970 00:00:00 +0000
 ")
 find_program(SUTURE_GZIP gzip)
 mark_as_advanced(SUTURE_GZIP)

@@ -1,5 +1,5 @@
 #!/bin/sh
-# install_packages.sh run|test: installs what is missing of the packages in packages.txt. The only
+# install_packages.sh run|test|ship: installs what is missing of the packages in packages.txt. The only
 # place that installs anything. Asks nothing, and touches no network when nothing is missing.
 # SUTURE_NO_INSTALL=1 leaves the system as it is.
 set -eu
@@ -8,7 +8,8 @@ here=$(dirname "$(readlink -f "$0")")
 case ${1-} in
     run) kinds='run' ;;
     test) kinds='run|test' ;;
-    *) echo "usage: $0 run|test" >&2; exit 1 ;;
+    ship) kinds='run|ship' ;;
+    *) echo "usage: $0 run|test|ship" >&2; exit 1 ;;
 esac
 wanted=$(sed -nE "s/^($kinds) +//p" "$here/packages.txt" | while read -r package unless program; do
     [ -n "$unless" ] && command -v "$program" >/dev/null || echo "$package"

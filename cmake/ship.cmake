@@ -57,7 +57,9 @@ endif()
 
 # Debian packages: cpack -G DEB --config build/release/CPackConfig.cmake
 set(CPACK_PACKAGE_NAME suture)
-set(CPACK_PACKAGE_CONTACT "The Suture developers <maintainers@localhost>")
+file(READ ${PROJECT_SOURCE_DIR}/package.xml package_xml)
+string(REGEX MATCH "<maintainer email=\"([^\"]+)\"" found "${package_xml}")
+set(CPACK_PACKAGE_CONTACT "The Suture developers <${CMAKE_MATCH_1}>")
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "close the holes of CAD models with smooth faces")
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)
@@ -69,22 +71,23 @@ set(CPACK_DEBIAN_PACKAGE_SECTION graphics)
 set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
 set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS
     OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
-set(about "Reads STEP, IGES or BREP, finds where a face is missing, fills the gap so that it joins its
- neighbours in position, tangent or curvature, sews the new face in, and measures what came of it.")
+set(about "Reads STEP, IGES or BREP, finds where a face is missing, fills the gap
+ so that it joins its neighbours in position, tangent or curvature, sews
+ the new face in, and measures what came of it.")
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME suture)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_DEPENDS libopenblas0-pthread)
-set(CPACK_DEBIAN_PROGRAM_DESCRIPTION "${CPACK_PACKAGE_DESCRIPTION_SUMMARY}\n${about}")
+set(CPACK_DEBIAN_PROGRAM_DESCRIPTION "${about}")
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libsuture-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS
     "suture (= ${PROJECT_VERSION}), libocct-data-exchange-dev, libocct-ocaf-dev, libeigen3-dev, libexpected-dev, libfmt-dev, libtbb-dev, nlohmann-json3-dev"
 )
-set(CPACK_DEBIAN_DEVELOPMENT_DESCRIPTION "${CPACK_PACKAGE_DESCRIPTION_SUMMARY} (C++ library)\n${about}")
+set(CPACK_DEBIAN_DEVELOPMENT_DESCRIPTION "${about}\n This package has the C++ library.")
 set(CPACK_DEBIAN_WORKBENCH_PACKAGE_NAME freecad-suture)
 set(CPACK_DEBIAN_WORKBENCH_PACKAGE_ARCHITECTURE all)
 set(CPACK_DEBIAN_WORKBENCH_PACKAGE_DEPENDS "suture (>= ${PROJECT_VERSION}), freecad")
-set(CPACK_DEBIAN_WORKBENCH_DESCRIPTION "${CPACK_PACKAGE_DESCRIPTION_SUMMARY} (FreeCAD workbench)\n${about}")
+set(CPACK_DEBIAN_WORKBENCH_DESCRIPTION "${about}\n This package has the workbench for FreeCAD.")
 install(
     DIRECTORY plugin/
     DESTINATION share/freecad/Mod/Suture/plugin

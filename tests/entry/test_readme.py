@@ -42,8 +42,17 @@ class Readme(unittest.TestCase):
         for option in options:
             self.assertIn(option, help_text)
 
+    def test_the_version_is_the_same_everywhere(self):
+        version = re.search(r"VERSION ([\d.]+) ", (ROOT / "CMakeLists.txt").read_text())[1]
+        self.assertEqual(ask("--version").split()[1], version)
+        self.assertIn(f"\nversion: {version}\n", (ROOT / "CITATION.cff").read_text())
+        self.assertIn(f"<version>{version}</version>", (ROOT / "package.xml").read_text())
+        for page in ("README.md", "docs/ship.md"):
+            named = re.findall(r"suture-(\d+\.\d+\.\d+)-", (ROOT / page).read_text())
+            self.assertEqual(set(named), {version}, page)
+
     def test_its_links_lead_somewhere(self):
-        for page in (ROOT / name for name in ("README.md", "CONTRIBUTING.md", "docs/pipeline.md")):
+        for page in (ROOT / name for name in ("README.md", "CONTRIBUTING.md", "docs/pipeline.md", "docs/ship.md", "docs/python.md", "docs/batch.md")):
             for target in re.findall(r"\]\((?!https?:)([^)#]+)", page.read_text(encoding="utf-8")):
                 self.assertTrue((page.parent / target).exists(), f"{page.name}: {target}")
 

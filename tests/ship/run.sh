@@ -6,6 +6,7 @@
 #   run.sh roots           makes the bare roots (once, some minutes)
 #   run.sh bundle          the bundle, without network, without root's rights
 #   run.sh wheel           the wheel, by pip, without network
+#   run.sh deb             the Debian package, by apt, in the root of this system's Debian
 #   run.sh all             these in turn
 #
 # SUTURE_ROOTS    where the bare roots are, by default ~/.cache/suture-bare
@@ -90,10 +91,30 @@ wheel() {
     done
 }
 
+# Each distribution has packages of its own: those that were built on this one are tried in its root.
+deb() {
+    dist=$(. /etc/os-release && echo "$VERSION_CODENAME")
+    fresh "$dist"
+    echo "=== deb in $dist"
+    cp "$ship"/*.deb "$root/home/user/"
+    given man-db bash-completion
+    chroot "$root" sh -c 'dpkg --get-selections | sort' >"$scratch/before"
+    given /home/user/suture_*.deb
+    as_user 'sh use_program.sh /usr/bin/suture
+        zcat /usr/share/man/man1/suture-fill.1.gz | grep -q continuity
+        grep -q -e --edge-continuity /usr/share/bash-completion/completions/suture'
+    chroot "$root" sh -euc 'apt-get -qq purge -y suture >/dev/null && apt-get -qq autoremove --purge -y >/dev/null'
+    left=$(chroot "$root" find /usr /etc -name "*suture*")
+    [ -z "$left" ] || { echo "removing left $left"; exit 1; }
+    chroot "$root" sh -c 'dpkg --get-selections | sort' | diff "$scratch/before" - ||
+        { echo "removing left packages"; exit 1; }
+    echo "removed: cleanly"
+}
+
 trap 'leave; rm -rf "$scratch"' EXIT
 case ${1-} in
     roots) make_roots ;;
-    bundle | wheel) $1 ;;
-    all) make_roots && bundle && wheel ;;
-    *) sed -n '3,15s/^# \{0,1\}//p' "$0" >&2; exit 1 ;;
+    bundle | wheel | deb) $1 ;;
+    all) make_roots && bundle && wheel && deb ;;
+    *) sed -n '3,16s/^# \{0,1\}//p' "$0" >&2; exit 1 ;;
 esac
