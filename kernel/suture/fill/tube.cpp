@@ -27,7 +27,12 @@ constexpr int kMostLayers = 14;
 /// Creases stay below this share of the angle tolerance: near a corner they add to the border's.
 constexpr double kCrease = 0.5;
 
-constexpr double kMostTurn = radians(90.0);
+/// Where a surface turns over its normals differ by 180 deg, if samples stand near enough; those of
+/// the paper's figure 8, with tangents that are too long, turn by 92 and do not.
+constexpr double kMostTurn = radians(120.0);
+
+/// Layers become narrower by halves: beyond this, than what doubles tell apart at the border.
+constexpr int kMostLayersGiven = 24;
 
 /// Where the columns come from and where they end.
 struct Aim {
@@ -155,11 +160,12 @@ Result<Tube> make_tube(const RibbonLoop& loop, const Aim& aim, const OptionValue
     return result;
 }
 
-Error folds(const tube::Fold& fold) {
+Error folds(const tube::Net& net, const tube::Fold& fold) {
+    const Vector3d at = tube::evaluate(net, fold.u, fold.interval, fold.v).point;
     return fail(ErrorCode::Refused,
                 "the surface folds: its normal turns by {:.1f} deg within a patch (limit {:.0f}), "
-                "at u = {:.3g}, v = {:.3g}",
-                degrees(fold.turn), degrees(kMostTurn), fold.u, fold.v)
+                "near ({:.6g}, {:.6g}, {:.6g})",
+                degrees(fold.turn), degrees(kMostTurn), at.x(), at.y(), at.z())
         .value();
 }
 
@@ -184,7 +190,7 @@ Result<int> find_layers(const RibbonLoop& loop, const Aim& aim, const FillOption
         }
         const tube::Fold fold = tube::measure_fold(tube->fairing.net, aim.pole.normal);
         if (fold.turn > kMostTurn) {
-            return tl::unexpected(folds(fold));
+            return tl::unexpected(folds(tube->fairing.net, fold));
         }
         if (tube->crease <= limit || layers >= kMostLayers) {
             return layers;
@@ -210,6 +216,11 @@ Result<void> expect_treatable(const Hole& hole, const FillOptions& options) {
             return fail(ErrorCode::Refused, "{} is {:.3g} long, {:g} of the diameter (limit {:g})",
                         name_of(ribbon), length, length / hole.diameter, kShortest);
         }
+    }
+    if (const int layers = find_count(options.own, "layers").value_or(0);
+        layers > kMostLayersGiven) {
+        return fail(ErrorCode::Refused, "{} layers were asked for, at most {} can be told apart",
+                    layers, kMostLayersGiven);
     }
     const auto curvatures = find_numbers(options.own, "curvature").size();
     const auto sides = hole.loops.front().ribbons.size();
@@ -263,7 +274,7 @@ Result<FillResult> fill_from(const Hole& hole, const FillOptions& options, const
     const tube::Net& net = tube->fairing.net;
     const tube::Fold fold = tube::measure_fold(net, aim.pole.normal);
     if (fold.turn > kMostTurn) {
-        return tl::unexpected(folds(fold));
+        return tl::unexpected(folds(tube->fairing.net, fold));
     }
     FillResult result = lay_out(net, loop, aim);
     result.notes.push_back(fmt::format(

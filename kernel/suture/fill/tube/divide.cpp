@@ -61,7 +61,8 @@ namespace {
 /// A share of the tolerance: what is left is for the edges of the model and for the file.
 constexpr double kShare = 0.3;
 constexpr int kMostColumns = 600;
-constexpr int kMostOnSide = 150;
+/// A side may have its share of the columns, and no fewer than this.
+constexpr int kLeastShare = 150;
 constexpr int kFirstOnSide = 4;
 constexpr int kMostRounds = 12;
 /// Below this turn of the border a corner is none, and needs no short intervals.
@@ -80,16 +81,33 @@ std::vector<double> graded(double interval, double first) {
     return pieces;
 }
 
-void grade(const Border& border, double first, Divisions& divisions) {
+/// How long intervals may be beside a reflex corner, as a share of a layer's width: rows inside go
+/// smoothly through it, on the border's side of their corner, and must not get there.
+double share_beside(const Border& border, int side) {
+    constexpr double kLeast = 1.0 / 64.0;
+    const int before = (side + border.sides() - 1) % border.sides();
+    const BorderPoint a = border.at(before, border.extent(before));
+    const BorderPoint b = border.corner(side);
+    if ((b.tangent.normalized() - a.tangent.normalized()).dot(b.outward) <= 0.0) {
+        return 1.0;  // convex
+    }
+    const auto across = [](const BorderPoint& p) {
+        return p.outward.cross(p.tangent).norm() / p.tangent.squaredNorm();
+    };
+    return std::clamp(std::min(across(a), across(b)), kLeast, 1.0);
+}
+
+void grade(const Border& border, double layer, Divisions& divisions) {
     for (int side = 0; side < border.sides(); ++side) {
+        const int next = (side + 1) % border.sides();
         auto& own = divisions[static_cast<std::size_t>(side)];
         if (border.turn(side) > kSharp) {
-            const auto pieces = graded(own.front(), first);
+            const auto pieces = graded(own.front(), layer * share_beside(border, side));
             own.erase(own.begin());
             own.insert(own.begin(), pieces.begin(), pieces.end());
         }
-        if (border.turn((side + 1) % border.sides()) > kSharp) {
-            const auto pieces = graded(own.back(), first);
+        if (border.turn(next) > kSharp) {
+            const auto pieces = graded(own.back(), layer * share_beside(border, next));
             own.pop_back();
             own.insert(own.end(), pieces.rbegin(), pieces.rend());
         }
@@ -104,6 +122,8 @@ Divisions divide(const Border& border, const Tolerance& tolerance, double first,
         divisions.emplace_back(kFirstOnSide, border.extent(side) / kFirstOnSide);
     }
     grade(border, first, divisions);
+    const auto most_on_side =
+        static_cast<std::size_t>(std::max(kLeastShare, kMostColumns / border.sides()));
     for (int round = 0; round < kMostRounds; ++round) {
         const auto errors =
             measure_border(border, divisions, fit_border(border, divisions, tolerance, way));
@@ -122,7 +142,7 @@ Divisions divide(const Border& border, const Tolerance& tolerance, double first,
                     next[side].push_back(g);
                 }
             }
-            if (next[side].size() > static_cast<std::size_t>(kMostOnSide)) {
+            if (next[side].size() > most_on_side) {
                 next[side] = divisions[side];
             }
             columns += next[side].size() + 1;

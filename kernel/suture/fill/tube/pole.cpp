@@ -165,7 +165,12 @@ Result<Pole> find_pole(const RibbonLoop& loop, const Radials& radials,
                        const std::optional<Vector3d>& point,
                        const std::optional<Vector3d>& normal) {
     const std::vector<Sample> samples = samples_of(loop, radials);
-    Pole pole{point.value_or(centre_of(samples)), Vector3d::Zero()};
+    // Sides met in position only have no arcs of their own: they leave the point where it begins,
+    // which all sides of the layout see.
+    Pole pole{point                    ? *point
+              : radials.is_developed() ? radials.centre_in_space(loop)
+                                       : centre_of(samples),
+              Vector3d::Zero()};
     pole.normal = normal.value_or(area_around(samples, pole.point)).normalized();
     for (int round = 0; round < kRounds; ++round) {
         if (!point) {

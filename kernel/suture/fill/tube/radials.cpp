@@ -2,6 +2,7 @@
 
 #include "suture/base/tolerance.h"
 
+#include <Eigen/Cholesky>
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -131,6 +132,23 @@ Result<Radials> Radials::developed(const RibbonLoop& loop, double diameter) {
 
 Vector2d Radials::in_plane(int side, double s) const {
     return layout_->curves[static_cast<std::size_t>(side)].at(s) - centre_;
+}
+
+Vector3d Radials::centre_in_space(const RibbonLoop& loop) const {
+    Eigen::Matrix3d flat = Eigen::Matrix3d::Zero();
+    Eigen::Matrix3d mixed = Eigen::Matrix3d::Zero();
+    for (std::size_t i = 0; i < loop.ribbons.size(); ++i) {
+        for (int k = 0; k < kSamples; ++k) {
+            const double s = (k + 0.5) / kSamples;
+            const RibbonPoint at = loop.ribbons[i].at(s);
+            const Vector3d place = in_plane(static_cast<int>(i), s).homogeneous();
+            const double length = at.tangent.norm();
+            flat += length * place * place.transpose();
+            mixed += length * at.point * place.transpose();
+        }
+    }
+    // In the plane the centre is the origin.
+    return mixed * flat.ldlt().solve(Vector3d::UnitZ());
 }
 
 Vector3d Radials::outward(int side, double s, const RibbonPoint& at) const {

@@ -30,6 +30,9 @@ class Radials {
 
     /// Where the place lies in the plane, seen from the closing point there; only if developed.
     [[nodiscard]] Eigen::Vector2d in_plane(int side, double s) const;
+    /// Where the closing point of the plane lies in space under the affine map that brings the
+    /// layout nearest to the border: of a planar hole, its own place. Only if developed.
+    [[nodiscard]] Eigen::Vector3d centre_in_space(const RibbonLoop& loop) const;
     [[nodiscard]] bool is_developed() const { return layout_.has_value(); }
 
   private:

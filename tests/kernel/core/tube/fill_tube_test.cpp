@@ -210,6 +210,38 @@ TEST(FillTube, StaysInThePlaneOfAPlaneHole) {
     }
 }
 
+/// With walls for neighbours nothing leads away from the middle of the border, which an L does not
+/// see: the closing point is that of the layout.
+TEST(FillTube, ClosesConcaveOutlinesBetweenWalls) {
+    const std::vector<std::vector<Eigen::Vector2d>> outlines = {
+        {{0, 0}, {6, 0}, {6, 1}, {1, 1}, {1, 5}, {0, 5}},
+        {{0, 0}, {8, 0}, {8, 4}, {4, 1.5}, {0, 4}},
+        {{0, 0}, {4, 1.5}, {8, 0}, {4, 6}}};
+    for (const auto& outline : outlines) {
+        SCOPED_TRACE(outline.size());
+        Hole hole = zoo::window(zoo::wavy(0.0, 1.0), zoo::polygon(outline));
+        for (Ribbon& ribbon : hole.loops.front().ribbons) {
+            ribbon.continuity = Continuity::G0;
+            ribbon.at = [at = ribbon.at](double s) {
+                RibbonPoint p = at(s);
+                std::swap(p.normal, p.inward);  // the neighbour is a wall
+                p.normal = -p.normal;
+                return p;
+            };
+        }
+        const auto fill = fill_tube(hole, options_for(hole));
+        ASSERT_TRUE(fill) << fill.error().message;
+        const Surface& surface = fill->patches.front().surface;
+        for (int i = 1; i <= 20; ++i) {
+            for (int j = 0; j < 200; ++j) {
+                const SurfaceJet jet = evaluate(surface, i / 10.0, 4.0 * kPi * (j + 0.5) / 200);
+                ASSERT_LT(std::abs(jet.point.z()), 1e-9);
+                ASSERT_GT(jet.u.cross(jet.v).z(), 0.0) << i << " " << j;
+            }
+        }
+    }
+}
+
 /// Real models' edges end apart by a little, and their faces lean by a little: that is neither a
 /// reason for ever shorter intervals nor for a bend.
 TEST(FillTube, SpreadsWhatTheEdgesAreOffByAtCorners) {
