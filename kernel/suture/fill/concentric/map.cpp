@@ -15,6 +15,12 @@ namespace {
 /// Chords of parabolas: fine enough to look round, coarse enough to keep the axis small.
 constexpr double kWidestChord = 0.6;
 
+constexpr double kManyTeeth = 5.0;
+
+/// A salience that cuts all branches but the longest: the rays of a regular star are best cut off
+/// altogether.
+constexpr double kNearlyAll = 5.0;
+
 /// Shorter spans, as a share of the period, are not halved any more.
 constexpr double kShortestSpan = 1e-6;
 
@@ -82,7 +88,12 @@ tl::expected<ConcentricCurve, Folds> map_of(const MedialAxis& axis, const Sites&
             }
         }
     }
-    return retract(axis, sites, boundary, corners, {0.0, options.rest_at_tips});
+    auto whole = retract(axis, sites, boundary, corners, {0.0, options.rest_at_tips});
+    if (!whole && options.salience > 0.0) {
+        auto cut = retract(axis, sites, boundary, corners, {kNearlyAll, options.rest_at_tips});
+        return cut ? cut : whole;
+    }
+    return whole;
 }
 
 }  // namespace
@@ -97,13 +108,17 @@ Result<ConcentricMap> concentric_map(const ClosedSpline& curve, const MapOptions
     for (;; ++map.refinements) {
         const auto sites =
             make_sites(map.refined.poles, nodal_parameters(map.refined), curve.period());
-        const auto axis = sites.and_then(
-            [](const Sites& s) -> Result<MedialAxis> { return medial_axis(s, kWidestChord); });
         ClosedSpline next;
-        if (!axis) {
-            why = axis.error();
-            next = refined_everywhere(map.refined);
-        } else {
+        // Gears of many teeth want more nodes to be one than is good for all else.
+        for (const double same_place : {1.0, kManyTeeth}) {
+            const auto axis = sites.and_then([&](const Sites& s) -> Result<MedialAxis> {
+                return medial_axis(s, kWidestChord, same_place * kSamePlace);
+            });
+            if (!axis) {
+                why = axis.error();
+                next = refined_everywhere(map.refined);
+                continue;
+            }
             const auto found = map_of(*axis, *sites, boundary, corners, options);
             if (found) {
                 map.radius = largest_radius(*axis);

@@ -40,9 +40,6 @@ using Edge = Diagram::edge_type;
 using Cell = Diagram::cell_type;
 using Eigen::Vector2d;
 
-/// Nodes nearer to each other than this, in grid cells, are one: the grid's own rounding is 1/2.
-constexpr double kSamePlace = 2.0;
-
 /// On the bisector of a reflex vertex' normals, and how near to it a node need not be split.
 constexpr double kHalf = 0.5;
 constexpr double kAtHalf = 1e-3;
@@ -54,7 +51,8 @@ double cross(const Vector2d& a, const Vector2d& b) {
 /// The walk under construction, in grid coordinates.
 class Walk {
   public:
-    Walk(const Sites& sites, double widest) : sites_(sites), widest_(widest) {
+    Walk(const Sites& sites, double widest, double same_place)
+        : sites_(sites), widest_(widest), same_place_(same_place) {
         std::vector<GridSegment> segments;
         const int n = sites.count();
         for (int i = 0; i < n; ++i) {
@@ -94,6 +92,7 @@ class Walk {
   private:
     const Sites& sites_;
     double widest_;
+    double same_place_;
     Diagram diagram_;
     std::vector<const Cell*> sides_, points_;
     std::vector<Vector2d> grid_;  ///< the diagram's vertices, then points on parabolas
@@ -336,7 +335,7 @@ class Walk {
         for (std::size_t k = 0; k < walk_.size(); ++k) {
             const int a = root(walk_[k].node);
             const int b = root(walk_[(k + 1) % walk_.size()].node);
-            if (a != b && (at(a) - at(b)).norm() < kSamePlace) {
+            if (a != b && (at(a) - at(b)).norm() < same_place_) {
                 same[static_cast<std::size_t>(std::max(a, b))] = std::min(a, b);
             }
         }
@@ -391,8 +390,8 @@ class Walk {
 
 }  // namespace
 
-Result<MedialAxis> medial_axis(const Sites& sites, double widest) {
-    return Walk(sites, widest).make();
+Result<MedialAxis> medial_axis(const Sites& sites, double widest, double same_place) {
+    return Walk(sites, widest, same_place).make();
 }
 
 }  // namespace suture::concentric

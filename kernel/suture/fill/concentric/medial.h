@@ -33,12 +33,18 @@ struct MedialAxis {
     std::vector<Visit> walk;  ///< cyclic, in the direction of increasing parameter
 };
 
+/// Nodes nearer to each other than this, in cells of the grid, are one. The grid's own rounding is
+/// 1/2, but where many sides are as far from one point, as in stars and gears, their bisectors meet
+/// at small angles, and nodes that are one spread over a hundred times as much.
+inline constexpr double kSamePlace = 200.0;
+
 /// The segment Voronoi diagram's part inside of the polygon. Its parabolas become chords.
 ///
 /// Input    widest: the angle under which a chord of a parabola may be seen from the vertex, in
-///          radians; below pi it never hides the vertex from the axis.
+///          radians; below pi it never hides the vertex from the axis. same_place: in grid cells.
 /// Refuses  a diagram that is not the tree it should be: a sign of rounding.
 /// Source   Martin & Cohen 2003, section 3; the diagram is Boost.Polygon's.
-[[nodiscard]] Result<MedialAxis> medial_axis(const Sites& sites, double widest);
+[[nodiscard]] Result<MedialAxis> medial_axis(const Sites& sites, double widest,
+                                             double same_place = kSamePlace);
 
 }  // namespace suture::concentric

@@ -66,6 +66,37 @@ TEST(ConcentricMap, FoldsOnNoneOfFiveHundredShapes) {
     RecordProperty("refused", refused);
 }
 
+/// Many sides are as far from the centre: their nodes there are one.
+TEST(ConcentricMap, TakesRegularStarsAndGears) {
+    const auto expect_map = [](const shapes::Points& points, const std::string& name) {
+        for (const bool rest_at_tips : {false, true}) {
+            const ClosedSpline curve = shapes::polygon(points);
+            const auto map = concentric_map(curve, {0.1, 0.02, true, 8, rest_at_tips});
+            ASSERT_TRUE(map) << name << ": " << map.error().message;
+            EXPECT_GT(least_jacobian(curve, map->axis), -1e-9) << name;
+        }
+    };
+    for (const int n : {3, 5, 8, 9, 11, 16, 23, 36, 47, 60}) {
+        for (const double inner : {0.3, 0.5, 0.8}) {
+            shapes::Points points;
+            for (int k = 0; k < 2 * n; ++k) {
+                const double phi = kPi * k / n;
+                points.push_back((k % 2 == 0 ? 1.0 : inner) *
+                                 Vector2d(std::cos(phi), std::sin(phi)));
+            }
+            expect_map(points, "star " + std::to_string(n) + " " + std::to_string(inner));
+        }
+    }
+    for (const int teeth : {6, 8, 12, 13, 20, 29, 36, 60}) {
+        shapes::Points points;
+        for (int k = 0; k < 4 * teeth; ++k) {
+            const double phi = 2.0 * kPi * (k + (k % 2 == 0 ? 0.15 : -0.15)) / (4.0 * teeth);
+            points.push_back((k % 4 < 2 ? 1.0 : 0.8) * Vector2d(std::cos(phi), std::sin(phi)));
+        }
+        expect_map(points, "gear " + std::to_string(teeth));
+    }
+}
+
 ClosedSpline moved(const ClosedSpline& curve, double angle, double scale) {
     ClosedSpline result = curve;
     Eigen::Matrix2d turn;
