@@ -73,7 +73,7 @@ Result<void> write_faces(Run& run, const Command& command, const AlgebraicOption
     goal.linear *= solution.unit.size;
     algebraic::FitReport fit;
     auto faces = algebraic::make_patches(solution.problem, solution.found, solution.unit, goal,
-                                         progress, fit);
+                                         goal, progress, fit);
     if (!faces) {
         return tl::unexpected(faces.error());
     }

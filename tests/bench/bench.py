@@ -86,6 +86,7 @@ def bench_one(case, name, arguments, runs, folder):
         "method": name,
         "status": status,
         "reason": reason,
+        "seconds_cpu": statistics.median(one.cpu_seconds for one in done),
         "seconds_process": statistics.median(one.seconds for one in done),
         "peak_bytes": max(one.peak_bytes for one in done),
         "runs": len(done),

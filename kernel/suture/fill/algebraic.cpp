@@ -30,6 +30,18 @@ constexpr double kShareOfTolerance = 0.2;
 constexpr double kGap = 2e-7;
 /// How far a curve may leave its plane, of the tolerance.
 constexpr double kPlanar = 0.1;
+/// How far a member may miss the edges, of the tolerance.
+constexpr double kShareOfGap = 0.5;
+/// How far a member's normals may be off those of the neighbours, of the tolerance.
+constexpr double kShareOfAngle = 0.8;
+/// A member that is smooth at a corner shares out what the neighbours differ by there.
+constexpr double kShareOfNoise = 2.0;
+/// Neighbours whose normals differ by more at a corner are different surfaces; as for the judge.
+constexpr double kMostNoise = radians(1.0);
+/// Jets along a side: several times as many as a polynomial of degree 7 can tell apart there.
+constexpr int kJets = 65;
+/// Ribbons know no more than curvature.
+constexpr int kMostByJets = 2;
 
 Result<void> expect_simple(const Hole& hole) {
     if (hole.loops.size() != 1) {
@@ -57,23 +69,30 @@ std::vector<int> orders(const std::vector<Ribbon>& ribbons, const OptionValues& 
     return result;
 }
 
-/// Polynomials are smooth at a corner, so that both neighbours must have the same normal there.
-Result<void> expect_compatible(const std::vector<Ribbon>& ribbons, const std::vector<int>& k,
-                               double angular) {
+/// How far the normals of two neighbours that should agree at a corner differ: how exact the model
+/// is.
+///
+/// Refuses  a corner where they differ by more: polynomials are smooth there.
+Result<double> noise_of_corners(const std::vector<Ribbon>& ribbons, const std::vector<int>& k) {
+    double noise = 0.0;
     for (std::size_t i = 0; i < ribbons.size(); ++i) {
         const std::size_t before = (i + ribbons.size() - 1) % ribbons.size();
         const Vector3d a = ribbons[before].at(1.0).normal;
         const Vector3d b = ribbons[i].at(0.0).normal;
         const double angle = std::atan2(a.cross(b).norm(), a.dot(b));
-        if (k[i] > 0 && k[before] > 0 && angle > angular) {
+        if (k[i] == 0 || k[before] == 0) {
+            continue;
+        }
+        if (angle > kMostNoise) {
             return fail(ErrorCode::Refused,
                         "the normals of the neighbours differ by {:.3g} deg where {} and {} meet, "
                         "more than {:.3g}",
                         degrees(angle), name_of(ribbons[before]), name_of(ribbons[i]),
-                        degrees(angular));
+                        degrees(kMostNoise));
         }
+        noise = std::max(noise, angle);
     }
-    return {};
+    return noise;
 }
 
 Unit unit_of(const Hole& hole) {
@@ -97,30 +116,62 @@ algebraic::Polynomial<double> plane_of(const algebraic::UnitCurve& curve, const 
                                                  -normal.dot(centre));
 }
 
+/// The jets of a side as the hole is.
+algebraic::SideJets jets_of(const Ribbon& ribbon, const Unit& unit, int k) {
+    algebraic::SideJets side;
+    side.k = k;
+    for (int n = 0; n < kJets; ++n) {
+        const RibbonPoint p = ribbon.at(static_cast<double>(n) / (kJets - 1));
+        side.jets.push_back({unit.in(p.point), p.normal, p.inward, unit.size * p.curvature});
+    }
+    return side;
+}
+
+/// More than curvature is known only of a neighbour with an equation, along a planar edge.
+Result<algebraic::Side<double>> polynomial_side(const Ribbon& ribbon, const SideShape& shape,
+                                                const Unit& unit, int k) {
+    const auto f = algebraic::equation_of(ribbon, unit);
+    if (!f) {
+        return fail(ErrorCode::Refused,
+                    "{}: G^{} asks for a neighbour with an equation: a plane, cylinder, cone, "
+                    "sphere or torus",
+                    name_of(ribbon), k);
+    }
+    if (!shape.straight && !shape.plane) {
+        return fail(ErrorCode::Refused, "{} is not planar, which G^{} asks for", name_of(ribbon),
+                    k);
+    }
+    return algebraic::Side<double>{*f, shape.plane.value_or(algebraic::Polynomial<double>()), k};
+}
+
 Result<Problem> pose(const Hole& hole, const FillOptions& options, const Unit& unit) {
     const auto& ribbons = hole.loops.front().ribbons;
     const std::vector<int> k = orders(ribbons, options.own);
     const double planar = std::max(kPlanar * options.tolerance.linear, hole.tolerance);
+    const auto noise = noise_of_corners(ribbons, k);
+    if (!noise) {
+        return tl::unexpected(noise.error());
+    }
     Problem problem;
     problem.interface_k = *std::max_element(k.begin(), k.end());
+    problem.at_sides.linear =
+        std::max(kShareOfGap * options.tolerance.linear, hole.tolerance) / unit.size;
+    problem.at_sides.angular =
+        std::max(kShareOfAngle * options.tolerance.angular, kShareOfNoise * *noise);
     std::vector<SideShape> shapes;
     for (std::size_t i = 0; i < ribbons.size(); ++i) {
-        const Ribbon& ribbon = ribbons[i];
-        const auto form = implicit_form(ribbon, unit, planar);
-        if (!form) {
-            return tl::unexpected(form.error());
+        shapes.push_back(shape_of(ribbons[i], unit, planar));
+        if (problem.interface_k <= kMostByJets) {
+            problem.jets.push_back(jets_of(ribbons[i], unit, k[i]));
+        } else {
+            auto side = polynomial_side(ribbons[i], shapes[i], unit, k[i]);
+            if (!side) {
+                return tl::unexpected(side.error());
+            }
+            problem.sides.push_back(std::move(*side));
         }
-        const auto shape = shape_of(ribbon, unit, planar);
-        if (!shape) {
-            return tl::unexpected(shape.error());
-        }
-        problem.sides.push_back({*form, shape->plane, k[i]});
-        shapes.push_back(*shape);
-        problem.curves.push_back([at = ribbon.at, unit](double s) { return unit.in(at(s).point); });
-    }
-    if (const auto compatible = expect_compatible(ribbons, k, options.tolerance.angular);
-        !compatible) {
-        return tl::unexpected(compatible.error());
+        problem.curves.push_back(
+            [at = ribbons[i].at, unit](double s) { return unit.in(at(s).point); });
     }
     auto guide = algebraic::guide_by_mvs(hole, unit, options);
     if (!guide) {
@@ -132,7 +183,7 @@ Result<Problem> pose(const Hole& hole, const FillOptions& options, const Unit& u
         return tl::unexpected(view.error());
     }
     problem.view = *view;
-    for (std::size_t i = 0; i < ribbons.size(); ++i) {
+    for (std::size_t i = 0; i < problem.sides.size(); ++i) {
         if (shapes[i].straight) {
             problem.sides[i].F = plane_of(problem.curves[i], view->centre);
         }
@@ -178,13 +229,16 @@ ImplicitForm implicit_form_of(const Problem& problem, const Solution& solution, 
     return form;
 }
 
-std::string describe(const Solution& s) {
+std::string describe(const Solution& s, const Unit& unit) {
     std::string text = fmt::format(
         "degree {} in {} cells: {} x {} system, rank {}, {} solutions, {} different surfaces; "
-        "{}single sheet proven",
+        "{}single sheet {}",
         s.degree, s.partition.cells, s.rows, s.columns, s.rank, s.dimension, s.polynomials,
-        s.guided_only ? "" : "chosen under conditions, ");
-    if (s.slope > 0.0) {
+        s.guided_only ? "" : "chosen under conditions, ",
+        s.proven ? "proven"
+                 : fmt::format("not proven, but seen on sampled rays within {:.2g} of the guide",
+                               s.seen * unit.size));
+    if (s.proven && s.slope > 0.0) {
         text += fmt::format(", gradient at least {:.3g} of the neighbours'", s.slope);
     }
     return text;
@@ -221,13 +275,15 @@ Result<FillResult> fill_algebraic(const Hole& hole, const FillOptions& options) 
     Tolerance goal = options.tolerance;
     goal.linear = std::min(kShareOfTolerance * goal.linear, kGap * hole.diameter);
     goal.angular *= kShareOfTolerance;
+    Tolerance limit = options.tolerance;
+    limit.angular *= kShareOfAngle;
     algebraic::FitReport report;
-    auto result = make_patches(*problem, *solution, unit, goal, options.progress, report);
+    auto result = make_patches(*problem, *solution, unit, goal, limit, options.progress, report);
     if (!result) {
         return result;
     }
     result->implicit = implicit_form_of(*problem, *solution, unit);
-    result->notes.push_back(describe(*solution));
+    result->notes.push_back(describe(*solution, unit));
     result->notes.push_back(fmt::format(
         "the polynomials meet the neighbours' normals within {:.2g} deg; the faces lie within "
         "{:.2g} and {:.2g} deg of the polynomials",

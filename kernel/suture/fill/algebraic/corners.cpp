@@ -13,16 +13,20 @@ constexpr double kSameCurvature = 1e-6;
 }  // namespace
 
 Result<void> expect_agreeing_corners(const Problem& problem) {
-    const std::size_t n = problem.sides.size();
+    const bool by_jets = !problem.jets.empty();
+    const std::size_t n = problem.curves.size();
     for (std::size_t i = 0; i < n; ++i) {
         const std::size_t before = (i + n - 1) % n;
-        const int k = std::min({problem.sides[before].k, problem.sides[i].k, problem.interface_k});
-        if (k < 2) {
+        const int k = by_jets ? std::min(problem.jets[before].k, problem.jets[i].k)
+                              : std::min(problem.sides[before].k, problem.sides[i].k);
+        if (std::min(k, problem.interface_k) < 2) {
             continue;
         }
         const Eigen::Vector3d corner = problem.curves[i](0.0);
-        const Eigen::Matrix3d a = curvature(problem.sides[before].f, corner);
-        const Eigen::Matrix3d b = curvature(problem.sides[i].f, corner);
+        const Eigen::Matrix3d a = by_jets ? problem.jets[before].jets.back().curvature
+                                          : curvature(problem.sides[before].f, corner);
+        const Eigen::Matrix3d b = by_jets ? problem.jets[i].jets.front().curvature
+                                          : curvature(problem.sides[i].f, corner);
         const double largest = std::max(a.norm(), b.norm());
         if ((a - b).norm() > kSameCurvature * std::max(1.0, largest)) {
             return fail(ErrorCode::Refused,

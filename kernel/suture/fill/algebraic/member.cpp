@@ -41,6 +41,10 @@ Member::Member(const Space& space, const std::vector<GuideSample>& guide,
         normal += B.transpose() * H[static_cast<std::size_t>(c)] * B;
         right += B.transpose() * r[static_cast<std::size_t>(c)];
     }
+    if (space.misses.size() > 0) {
+        normal.diagonal() +=
+            static_cast<double>(guide.size()) * (space.misses / weights.miss).cwiseAbs2();
+    }
     const Eigen::LLT<MatrixXd> cholesky(normal);
     factor_ = cholesky.matrixL();
     best_ = cholesky.solve(right);

@@ -29,10 +29,12 @@ struct SheetCondition {
 struct GuideWeights {
     double normals = 1.0;
     double bending = 1e-3;
+    /// Misses of this size cost as much as being 1 off the guide.
+    double miss = 1.0;
 };
 
 /// The member of a space of piecewise polynomials that follows a guide best:
-///   least sum of g(p)^2 + normals |grad g(p) - n|^2 + bending |Hess g(p)|^2.
+///   least sum of g(p)^2 + normals |grad g(p) - n|^2 + bending |Hess g(p)|^2 + |misses / miss|^2.
 class Member {
   public:
     Member(const Space& space, const std::vector<GuideSample>& guide, const GuideWeights& weights);

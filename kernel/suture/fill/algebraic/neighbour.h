@@ -1,10 +1,11 @@
 #pragma once
 
-#include "suture/base/result.h"
 #include "suture/fill/algebraic/polynomial.h"
 #include "suture/model/ribbon.h"
 
 #include <Eigen/Core>
+
+#include <optional>
 
 namespace suture::algebraic {
 
@@ -18,25 +19,18 @@ struct Unit {
     [[nodiscard]] Eigen::Vector3d out(const Eigen::Vector3d& y) const { return origin + size * y; }
 };
 
-/// The neighbour's surface as f = 0 in unit coordinates, with a gradient of length 1 along the
-/// outward normal in the middle of the ribbon. Planes, cylinders, cones, spheres, tori, and
-/// B-splines that are planes or quadrics.
-///
-/// Input    distance: how far a B-spline's points may lie from the quadric, in model units.
-/// Refuses  a neighbour without such an equation, naming the ribbon.
-[[nodiscard]] Result<Polynomial<double>> implicit_form(const Ribbon& ribbon, const Unit& unit,
-                                                       double distance);
+/// The neighbour's own surface as f = 0 in unit coordinates, if it is a plane, cylinder, cone,
+/// sphere or torus; the gradient points along the outward normal in the middle of the ribbon.
+[[nodiscard]] std::optional<Polynomial<double>> equation_of(const Ribbon& ribbon, const Unit& unit);
 
 /// How a side lies in space.
 struct SideShape {
     bool straight = false;
-    Polynomial<double> plane;  ///< in unit coordinates with a normal of length 1; unless straight
+    /// Of a bent side that is planar: in unit coordinates with a normal of length 1.
+    std::optional<Polynomial<double>> plane;
 };
 
-/// The plane of a ribbon's curve.
-///
-/// Input    distance: how far its points may leave the plane, or a straight line, in model units.
-/// Refuses  a curve that is not planar, with how far it leaves its best plane.
-[[nodiscard]] Result<SideShape> shape_of(const Ribbon& ribbon, const Unit& unit, double distance);
+/// Input    distance: how far its points may leave a plane, or a straight line, in model units.
+[[nodiscard]] SideShape shape_of(const Ribbon& ribbon, const Unit& unit, double distance);
 
 }  // namespace suture::algebraic

@@ -40,7 +40,8 @@ class SectorFit {
           sector_(sector),
           sheet_(problem, solution, sector) {}
 
-    [[nodiscard]] Result<Fitted> find(const Unit& unit, const Tolerance& goal) const {
+    [[nodiscard]] Result<Fitted> find(const Unit& unit, const Tolerance& goal,
+                                      const Tolerance& limit) const {
         for (double width = kWidth; width >= kLeastWidth; width /= 5.0) {
             const auto map = std::make_shared<const SectorMap>(problem_, solution_, sector_, width);
             for (int spans = kFewestSpans; spans <= kMostSpans; spans *= 2) {
@@ -52,11 +53,15 @@ class SectorFit {
                     break;
                 }
                 measure(fitted, unit, spans);
-                if (fitted.report.distance <= goal.linear && fitted.report.angle <= goal.angular) {
+                const auto within = [&](const Tolerance& t) {
+                    return fitted.report.distance <= t.linear && fitted.report.angle <= t.angular;
+                };
+                const bool last = spans * 2 > kMostSpans;
+                if (within(goal) || (last && !fitted.folds && within(limit))) {
                     return fitted;
                 }
-                if (spans * 2 > kMostSpans) {
-                    return refuse(fitted, goal);
+                if (last) {
+                    return refuse(fitted, limit);
                 }
             }
         }
@@ -77,7 +82,7 @@ class SectorFit {
     [[nodiscard]] Vector3d point(const Vector3d& b) const {
         return sheet_.at(b, sheet_.guess(b)).value_or(Vector3d::Constant(NAN));
     }
-    [[nodiscard]] tl::unexpected<Error> refuse(const Fitted& fitted, const Tolerance& goal) const {
+    [[nodiscard]] tl::unexpected<Error> refuse(const Fitted& fitted, const Tolerance& limit) const {
         if (fitted.folds) {
             return fail(ErrorCode::Refused, "the patch of {} folds", name());
         }
@@ -85,7 +90,7 @@ class SectorFit {
                     "the patch of {} is {:.3g} and {:.3g} deg off its polynomial with {} spans, "
                     "more than {:.3g} and {:.3g} deg",
                     name(), fitted.report.distance, degrees(fitted.report.angle),
-                    fitted.report.spans, goal.linear, degrees(goal.angular));
+                    fitted.report.spans, limit.linear, degrees(limit.angular));
     }
 
     /// Between the sites, inside the sector.
@@ -166,8 +171,8 @@ class Assembly {
 }  // namespace
 
 Result<FillResult> make_patches(const Problem& problem, const Solution& solution, const Unit& unit,
-                                const Tolerance& goal, const Progress& progress,
-                                FitReport& report) {
+                                const Tolerance& goal, const Tolerance& limit,
+                                const Progress& progress, FitReport& report) {
     FillResult result;
     const Partition& partition = solution.partition;
     Assembly assembly(partition);
@@ -177,7 +182,7 @@ Result<FillResult> make_patches(const Problem& problem, const Solution& solution
             return fail(ErrorCode::Cancelled, "stopped while filling");
         }
         const Sector& sector = partition.sectors[s];
-        auto fitted = SectorFit(problem, solution, static_cast<int>(s)).find(unit, goal);
+        auto fitted = SectorFit(problem, solution, static_cast<int>(s)).find(unit, goal, limit);
         if (!fitted) {
             return tl::unexpected(fitted.error());
         }

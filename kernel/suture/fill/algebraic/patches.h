@@ -18,11 +18,13 @@ struct FitReport {
 
 /// One biquintic B-spline face for each sector, with knots as dense as the tolerance asks for.
 ///
-/// Input    goal: for distance (model units) and angle of each patch.
-/// Refuses  a sheet that does not reach over a whole sector, or whose patch folds; a goal that is
-///          not met with kMostSpans spans.
+/// Input    goal: for distance (model units) and angle of each patch; limit: what is taken where
+///          kMostSpans spans do not meet the goal.
+/// Refuses  a sheet that does not reach over a whole sector, or whose patch folds; one beyond the
+///          limit.
 [[nodiscard]] Result<FillResult> make_patches(const Problem& problem, const Solution& solution,
                                               const Unit& unit, const Tolerance& goal,
-                                              const Progress& progress, FitReport& report);
+                                              const Tolerance& limit, const Progress& progress,
+                                              FitReport& report);
 
 }  // namespace suture::algebraic

@@ -5,6 +5,7 @@
 #include "suture/fill/algebraic/member.h"
 #include "suture/fill/algebraic/space.h"
 
+#include <Eigen/Geometry>
 #include <Eigen/LU>
 
 #include <algorithm>
@@ -27,14 +28,26 @@ constexpr int kProofDepth = 3;
 /// is seen at an angle with at least this sine.
 constexpr int kAcrossBand = 4;
 constexpr double kGrazing = 0.05;
+/// Of the bands in which sampled rays look for a second sheet, in theirs.
+constexpr double kWidths[] = {1.0, 2.5, 0.3, 0.1};
 /// How far Bernstein coefficients keep away from zero.
 constexpr double kMargin = 1e-6;
 /// A member this near to the guide is taken; else a higher degree may come nearer.
 constexpr double kNearGuide = 0.05;
 /// Beyond this the surface has little to do with the hole.
 constexpr double kFarFromGuide = 0.5;
-/// Degrees above the lowest possible one.
-constexpr int kMostRaised = 3;
+/// Degrees above the lowest possible one; inner cells have enough freedom without the last.
+constexpr int kMostRaised = 5;
+
+/// Beyond this a column of the space is no solution to any tolerance.
+constexpr double kMostMiss = 1e-2;
+/// What misses cost, falling: exact identities first. Models whose own edges agree to four or five
+/// digits, and neighbours that are no polynomials of the degree, ask for more.
+constexpr double kMisses[] = {1e-9, 1e-7, 1e-6, 1e-5, 3e-5, 1e-4, 3e-4};
+
+double angle_between(const Vector3d& a, const Vector3d& b) {
+    return std::atan2(a.cross(b).norm(), a.dot(b));
+}
 
 Point<double> as_point(const Vector3d& v) {
     return {v.x(), v.y(), v.z()};
@@ -183,43 +196,45 @@ class Division {
 class Candidate {
   public:
     Candidate(const Problem& problem, const Partition& partition, const Division& division,
-              int degree, double rank_tolerance)
+              int degree)
         : problem_(problem), division_(division) {
         solution_.partition = partition;
         solution_.rays = division.rays();
         solution_.degree = degree;
-        const System<double> system =
-            make_system(partition, problem.sides, division.planes(), problem.interface_k, degree);
-        space_ = solve(system, rank_tolerance);
-        solution_.rows = system.rows;
-        solution_.columns = system.columns;
-        solution_.rank = space_.rank;
-        solution_.dimension = space_.dimension;
-        solution_.polynomials = static_cast<int>(space_.basis.cols());
     }
 
     /// The best member, or why there is none.
-    Result<Solution> find(const Progress& progress) {
+    Result<Solution> find(double rank_tolerance, const Progress& progress) {
+        if (!problem_.jets.empty()) {
+            return find_by_jets();
+        }
+        const System<double> system =
+            make_system(solution_.partition, problem_.sides, division_.planes(),
+                        problem_.interface_k, solution_.degree);
+        solution_.rows = system.rows;
+        solution_.columns = system.columns;
+        const Space space = solve(system, rank_tolerance);
+        count(space);
         if (solution_.polynomials == 0) {
             return fail(ErrorCode::Refused, "no solution");
         }
-        const Member member(space_, division_.guide(), {});
-        take(member.best());
-        if (solution_.deviation > kFarFromGuide) {
-            return fail(ErrorCode::Refused, "no member near the hole ({:.2g} off)",
-                        solution_.deviation);
+        const Member member(space, division_.guide(), {});
+        take(space, member.best());
+        if (!(solution_.deviation <= kFarFromGuide)) {
+            return too_far();
         }
+        if (prove_sheet()) {
+            return solution_;
+        }
+        const auto conditioned =
+            member.best_under(conditions(), problem_.view.sign, kMargin, progress);
+        if (!conditioned) {
+            return fail(ErrorCode::Refused, "no member with a provably single sheet");
+        }
+        take(space, *conditioned);
+        solution_.guided_only = false;
         if (!prove_sheet()) {
-            const auto conditioned =
-                member.best_under(conditions(), problem_.view.sign, kMargin, progress);
-            if (!conditioned) {
-                return fail(ErrorCode::Refused, "no member with a provably single sheet");
-            }
-            take(*conditioned);
-            solution_.guided_only = false;
-            if (!prove_sheet()) {
-                return fail(ErrorCode::Refused, "the sheet could not be proven single");
-            }
+            return fail(ErrorCode::Refused, "the sheet could not be proven single");
         }
         return solution_;
     }
@@ -227,20 +242,95 @@ class Candidate {
   private:
     const Problem& problem_;
     const Division& division_;
-    Space space_;
     Solution solution_;
 
-    void take(const VectorXd& x) {
-        const VectorXd g = space_.basis * x;
+    void count(const Space& space) {
+        solution_.rank = space.rank;
+        solution_.dimension = space.dimension;
+        solution_.polynomials = static_cast<int>(space.basis.cols());
+    }
+
+    [[nodiscard]] tl::unexpected<Error> too_far() const {
+        return fail(ErrorCode::Refused, "no member near the hole ({:.2g} off)",
+                    solution_.deviation);
+    }
+
+    /// Of the members that meet the sides well enough the one nearest to the guide: a miss may
+    /// cost as little as the limits at the sides allow.
+    Result<Solution> find_by_jets() {
+        const JetSpace jets(solution_.partition, problem_.jets, division_.planes(),
+                            problem_.interface_k, solution_.degree);
+        solution_.rows = jets.rows();
+        solution_.columns = jets.columns();
+        const Space space = jets.within(kMostMiss);
+        count(space);
+        std::optional<Solution> best;
+        double least_angle = kPi;
+        double least_distance = INFINITY;
+        for (const double miss : kMisses) {
+            if (space.dimension == 0) {
+                break;
+            }
+            GuideWeights weights;
+            weights.miss = miss;
+            take(space, Member(space, division_.guide(), weights).best());
+            least_angle = std::min(least_angle, solution_.side_angle);
+            least_distance = std::min(least_distance, solution_.side_distance);
+            if (solution_.side_angle <= problem_.at_sides.angular &&
+                solution_.side_distance <= problem_.at_sides.linear &&
+                (!best || solution_.deviation < best->deviation)) {
+                best = solution_;
+            }
+            if (best && best->deviation <= kNearGuide) {
+                break;
+            }
+        }
+        if (!best) {
+            return fail(ErrorCode::Refused,
+                        "no member nearer to the sides than {:.2g} deg and {:.1g} of the radius",
+                        degrees(least_angle), least_distance);
+        }
+        solution_ = *best;
+        if (!(solution_.deviation <= kFarFromGuide)) {
+            return too_far();
+        }
+        // Sufficient conditions are no necessary ones: see_sheet finds most of the rest.
+        solution_.proven = prove_sheet();
+        if (!solution_.proven && !see_sheet()) {
+            return fail(ErrorCode::Refused,
+                        "rays meet the sheet more than once, or not at all ({:.2g} off)",
+                        solution_.deviation);
+        }
+        return solution_;
+    }
+
+    void take(const Space& space, const VectorXd& x) {
+        const VectorXd g = space.basis * x;
         solution_.cells =
             split_cells(std::vector<double>(g.data(), g.data() + g.size()), solution_.degree);
         double sum = 0.0;
         for (const GuideSample& sample : division_.guide()) {
             const ValueAndGradient at =
                 evaluate(solution_.cells[static_cast<std::size_t>(sample.cell)], sample.point);
-            sum += at.value * at.value + (at.gradient - sample.normal).squaredNorm();
+            const double distance = at.value / at.gradient.norm();
+            const double angle = angle_between(at.gradient, sample.normal);
+            sum += distance * distance + angle * angle;
         }
         solution_.deviation = std::sqrt(sum / static_cast<double>(division_.guide().size()));
+        measure_sides();
+    }
+
+    void measure_sides() {
+        solution_.side_distance = solution_.side_angle = 0.0;
+        for (std::size_t i = 0; i < problem_.jets.size(); ++i) {
+            for (const SideJet& jet : problem_.jets[i].jets) {
+                const ValueAndGradient at = evaluate(solution_.cells[i], jet.point);
+                solution_.side_distance =
+                    std::max(solution_.side_distance, std::abs(at.value) / at.gradient.norm());
+                solution_.side_angle =
+                    std::max(solution_.side_angle, angle_between(at.gradient, jet.normal));
+            }
+        }
     }
 
     [[nodiscard]] int cell_of(const Band& band) const {
@@ -259,6 +349,36 @@ class Candidate {
                 solution_.slope, proof.slope / band.frustum.directions.colwise().norm().maxCoeff());
         }
         return true;
+    }
+
+    /// Rays all over the hole meet the sheet once near the guide, and across it; a sheet that
+    /// leaves the guide's band may be the only one in a wider one, and one that keeps to the guide
+    /// in a narrower one.
+    bool see_sheet() {
+        for (const double width : kWidths) {
+            solution_.seen = width * kBand;
+            if (std::all_of(division_.guide().begin(), division_.guide().end(),
+                            [&](const GuideSample& s) { return meets_once(s, solution_.seen); })) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    [[nodiscard]] bool meets_once(const GuideSample& sample, double slack) const {
+        constexpr int kSteps = 16;
+        const auto& g = solution_.cells[static_cast<std::size_t>(sample.cell)];
+        const Vector3d ray = (sample.point - problem_.view.centre).normalized();
+        bool above = false;
+        for (int n = 0; n <= kSteps; ++n) {
+            const double t = slack * (2.0 * n / kSteps - 1.0);
+            const double value = problem_.view.sign * evaluate(g, sample.point + t * ray).value;
+            if (n == 0 ? value >= 0.0 : above && value <= 0.0) {
+                return false;
+            }
+            above = value > 0.0;
+        }
+        return above;
     }
 
     [[nodiscard]] std::vector<SheetCondition> conditions() const {
@@ -299,7 +419,10 @@ Result<Solution> find_solution(const Problem& problem, const Search& search,
     for (const Side<double>& side : problem.sides) {
         lowest = std::max({lowest, side.f.degree, side.k + 1});
     }
-    const int n = static_cast<int>(problem.sides.size());
+    for (const SideJets& side : problem.jets) {
+        lowest = std::max(lowest, side.k + 1);
+    }
+    const int n = static_cast<int>(problem.curves.size());
     const Partition partitions[] = {umbrella(n), with_inner_cells(n)};
     const Division divisions[] = {Division(problem, partitions[0]),
                                   Division(problem, partitions[1])};
@@ -309,7 +432,8 @@ Result<Solution> find_solution(const Problem& problem, const Search& search,
     const int to = search.degree.value_or(lowest + kMostRaised);
     for (int degree = std::max(lowest, from); degree <= to; ++degree) {
         for (const bool inner : {false, true}) {
-            if (search.inner_cells.value_or(inner) != inner) {
+            const bool dear = inner && degree >= lowest + kMostRaised && !search.inner_cells;
+            if (dear || search.inner_cells.value_or(inner) != inner) {
                 continue;
             }
             if (progress.cancelled()) {
@@ -319,9 +443,8 @@ Result<Solution> find_solution(const Problem& problem, const Search& search,
             const std::string name =
                 fmt::format("degree {} in {} cells", degree, partitions[p].cells);
             progress(static_cast<double>(degree - from) / (to - from + 1.0), name);
-            const auto found =
-                Candidate(problem, partitions[p], divisions[p], degree, search.rank_tolerance)
-                    .find(progress);
+            const auto found = Candidate(problem, partitions[p], divisions[p], degree)
+                                   .find(search.rank_tolerance, progress);
             if (!found) {
                 tried.push_back(fmt::format("{}: {}", name, found.error().message));
                 continue;

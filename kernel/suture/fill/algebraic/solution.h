@@ -2,8 +2,10 @@
 
 #include "suture/base/progress.h"
 #include "suture/base/result.h"
+#include "suture/base/tolerance.h"
 #include "suture/fill/algebraic/frustum.h"
 #include "suture/fill/algebraic/guide.h"
+#include "suture/fill/algebraic/jet_space.h"
 #include "suture/fill/algebraic/partition.h"
 #include "suture/fill/algebraic/system.h"
 #include "suture/fill/algebraic/view.h"
@@ -16,9 +18,13 @@
 
 namespace suture::algebraic {
 
-/// A hole between algebraic surfaces, in unit coordinates.
+/// A hole in unit coordinates.
 struct Problem {
+    /// Of polynomial neighbours, or (k <= 2) of any: one of the two is given.
     std::vector<Side<double>> sides;
+    std::vector<SideJets> jets;
+    /// How far a member may miss the jets: distance in unit coordinates, angle.
+    Tolerance at_sides;
     std::vector<UnitCurve> curves;
     View view;
     std::vector<GuidePoint> guide;
@@ -41,8 +47,12 @@ struct Solution {
     int rows = 0, columns = 0, rank = 0, dimension = 0;
     int polynomials = 0;      ///< dimension of the space of g
     bool guided_only = true;  ///< false where the conditions for a single sheet had to be imposed
+    bool proven = true;       ///< false where the single sheet was only seen on sampled rays
+    double seen = 0.0;        ///< how far along the rays from the guide, unless proven
     double slope = 0.0;       ///< proven: dg along the unit ray is at least this near the surface
-    double deviation = 0.0;   ///< root mean square of g and grad g - n on the guide
+    double deviation = 0.0;   ///< root mean square of distance and angle to the guide
+    double side_distance = 0.0;      ///< largest |g| / |grad g| at the jets, in unit coordinates
+    double side_angle = 0.0;         ///< largest angle between grad g and the jets' normals
     std::vector<std::string> tried;  ///< what was not taken, and why
 };
 

@@ -13,6 +13,8 @@ struct Space {
     int dimension = 0;  ///< of the solutions x
     /// Orthonormal columns: the polynomials g that they stand for, cell after cell.
     Eigen::MatrixXd basis;
+    /// How far each column misses what is asked for; empty where none does. See JetSpace.
+    Eigen::VectorXd misses;
 };
 
 /// Input  tolerance: a column that is a combination of others to within this share of its length

@@ -171,6 +171,77 @@ TEST(FillAlgebraic, UsesInnerCellsWhereAskedTo) {
     EXPECT_LT(errors.angle, radians(0.01));
 }
 
+TEST(FillAlgebraic, NeedsNoEquationOfTheNeighbours) {
+    const VertexCorner corner{5, 1.0, Eigen::Isometry3d::Identity()};
+    Hole hole = hole_of(corner);
+    for (Ribbon& ribbon : hole.loops[0].ribbons) {
+        ribbon.support.reset();
+    }
+    const auto fill = fill_algebraic(hole, options_for(corner));
+    ASSERT_TRUE(fill) << fill.error().message;
+    const Errors errors = errors_of(*fill, hole, corner);
+    EXPECT_LT(errors.shape, 1e-6);
+    EXPECT_LT(errors.angle, radians(0.01));
+}
+
+/// A window in a sphere whose edges are no plane curves: they leave great circles by a wave.
+Hole wavy_window(const VertexCorner& corner, double wave) {
+    Hole hole = hole_of(corner);
+    for (Ribbon& ribbon : hole.loops[0].ribbons) {
+        ribbon.support.reset();
+        const auto point = [at = ribbon.at, c = corner.place.translation(), r = corner.radius,
+                            wave](double s) -> Vector3d {
+            const RibbonPoint p = at(s);
+            const Vector3d off = p.normal + wave * std::sin(2.0 * kPi * s) * p.inward;
+            return c + r * off.normalized();
+        };
+        ribbon.at = [point, c = corner.place.translation(), r = corner.radius](double s) {
+            constexpr double kStep = 1e-5;
+            RibbonPoint p;
+            p.point = point(s);
+            p.tangent = (point(s + kStep) - point(s - kStep)) / (2.0 * kStep);
+            p.normal = (p.point - c) / r;
+            p.inward = p.normal.cross(p.tangent).normalized();
+            p.curvature = -(Eigen::Matrix3d::Identity() - p.normal * p.normal.transpose()) / r;
+            return p;
+        };
+    }
+    return hole;
+}
+
+TEST(FillAlgebraic, MeetsEdgesThatAreNotPlanar) {
+    for (const double radius : {1.0, 1e-3, 1e3}) {
+        SCOPED_TRACE(radius);
+        const VertexCorner corner{4, radius, Eigen::Isometry3d::Identity()};
+        const Hole hole = wavy_window(corner, 0.08);
+        const auto fill = fill_algebraic(hole, options_for(corner));
+        ASSERT_TRUE(fill) << fill.error().message;
+        EXPECT_THAT(fill->notes.front(), HasSubstr("degree 2 in 4 cells"));
+        const Errors errors = errors_of(*fill, hole, corner);
+        EXPECT_LT(errors.shape, 1e-6);
+        EXPECT_LT(errors.gap, 1e-6);
+        EXPECT_LT(errors.angle, radians(0.01));
+    }
+}
+
+TEST(FillAlgebraic, AsksNoMoreThanTheModelsOwnNoise) {
+    const VertexCorner corner{4, 1.0, Eigen::Isometry3d::Identity()};
+    Hole hole = hole_of(corner);
+    // One neighbour leans by 0.05 deg: no polynomial is smooth at its corners and meets all.
+    const double lean = radians(0.05);
+    Ribbon& leaning = hole.loops[0].ribbons[2];
+    leaning.at = [at = leaning.at, lean](double s) {
+        RibbonPoint p = at(s);
+        const Eigen::AngleAxisd turn(lean, p.tangent.normalized());
+        p.normal = turn * p.normal;
+        p.inward = turn * p.inward;
+        return p;
+    };
+    const auto fill = fill_algebraic(hole, options_for(corner));
+    ASSERT_TRUE(fill) << fill.error().message;
+    EXPECT_LT(errors_of(*fill, hole, corner).angle, radians(0.12));
+}
+
 TEST(FillAlgebraic, RefusesWithTheReason) {
     const VertexCorner corner{3, 1.0, Eigen::Isometry3d::Identity()};
     const auto refusal = [&](const auto& spoil) {
@@ -182,9 +253,17 @@ TEST(FillAlgebraic, RefusesWithTheReason) {
     EXPECT_THAT(refusal([](Hole& hole) { hole.loops[0].ribbons.pop_back(); }),
                 HasSubstr("2 sides"));
     EXPECT_THAT(refusal([](Hole& hole) { hole.loops.resize(2); }), HasSubstr("1 islands"));
-    EXPECT_THAT(refusal([](Hole& hole) { hole.loops[0].ribbons[1].support.reset(); }),
-                HasSubstr("edge 2 (face 102): the neighbour lies on a surface without"));
-    EXPECT_THAT(refusal([](Hole& hole) {
+    const auto with_k_3 = [&](const auto& spoil) {
+        Hole hole = hole_of(corner);
+        spoil(hole);
+        FillOptions options = options_for(corner);
+        options.own["k"] = {OptionKind::Count, {3.0}, ""};
+        const auto fill = fill_algebraic(hole, options);
+        return fill ? std::string("filled") : fill.error().message;
+    };
+    EXPECT_THAT(with_k_3([](Hole& hole) { hole.loops[0].ribbons[1].support.reset(); }),
+                HasSubstr("edge 2 (face 102): G^3 asks for a neighbour with an equation"));
+    EXPECT_THAT(with_k_3([](Hole& hole) {
                     Ribbon& ribbon = hole.loops[0].ribbons[2];
                     ribbon.at = [at = ribbon.at](double s) {
                         RibbonPoint p = at(s);

@@ -1,6 +1,8 @@
 #include "suture/fill/algebraic/member.h"
 
+#include "suture/base/tolerance.h"
 #include "suture/fill/algebraic/interpolate.h"
+#include "suture/fill/algebraic/jet_space.h"
 #include "suture/fill/algebraic/jets.h"
 #include "suture/fill/algebraic/least_distance.h"
 
@@ -284,6 +286,60 @@ TEST(Frustum, ReproducesThePolynomialByDeCasteljau) {
     }
     const double t = 0.5 + tau * 1.2;
     EXPECT_NEAR(sum, evaluate(p, frustum.centre + t * (frustum.directions * b)).value, 1e-11);
+}
+
+/// The jets of a paper's side on its arc from one corner to the next, centre at the origin.
+std::vector<SideJets> table_jets() {
+    std::vector<SideJets> sides;
+    std::vector<Side<Rational>> exact = table::sides(1);
+    for (std::size_t i = 0; i < exact.size(); ++i) {
+        const auto f = rounded(substitute(exact[i].f, from_centre()));
+        const auto corner = [&](std::size_t c) {
+            Vector3d p;
+            for (std::size_t x = 0; x < 3; ++x) {
+                p[static_cast<Eigen::Index>(x)] =
+                    Rational(table::kCorners[c % 3][x] - table::kCentre[x]).convert_to<double>();
+            }
+            return p;
+        };
+        const Vector3d a = corner(i);
+        const Vector3d b = corner(i + 1);
+        SideJets side;
+        constexpr int kJets = 33;
+        for (int n = 0; n < kJets; ++n) {
+            // A quarter of the unit circle about the centre.
+            const double t = 0.5 * kPi * n / (kJets - 1);
+            SideJet jet;
+            jet.point = std::cos(t) * a + std::sin(t) * b;
+            const Vector3d tangent = std::cos(t) * b - std::sin(t) * a;
+            jet.normal = evaluate(f, jet.point).gradient.normalized();
+            jet.inward = jet.normal.cross(tangent).normalized();
+            jet.curvature.setZero();
+            side.jets.push_back(jet);
+        }
+        sides.push_back(side);
+    }
+    return sides;
+}
+
+TEST(JetSpace, HasAsManyMembersAsTheExactSystemOfTheTableCorner) {
+    // Theorem 2.2: jets and g = gamma f + beta F^2 ask for the same.
+    const struct {
+        bool inner;
+        int degree, members;
+    } cases[] = {{false, 3, 1}, {false, 4, 10}, {true, 3, 6}};
+    for (const auto& c : cases) {
+        SCOPED_TRACE(c.degree);
+        const Partition partition = c.inner ? with_inner_cells(3) : umbrella(3);
+        std::vector<Polynomial<double>> planes;
+        for (const auto& plane : table::planes(partition)) {
+            planes.push_back(rounded(substitute(plane, from_centre())));
+        }
+        const JetSpace jets(partition, table_jets(), planes, 1, c.degree);
+        EXPECT_EQ(jets.within(1e-11).dimension, c.members);
+        EXPECT_EQ(jets.within(1e-8).dimension, c.members);
+        EXPECT_EQ(corner_of(partition, c.degree).space.basis.cols(), c.members);
+    }
 }
 
 }  // namespace
