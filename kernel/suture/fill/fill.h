@@ -5,17 +5,45 @@
 #include "suture/base/tolerance.h"
 #include "suture/fill/option.h"
 #include "suture/model/patch.h"
+#include "suture/model/recognised.h"
 #include "suture/model/ribbon.h"
 
+#include <functional>
 #include <span>
+#include <string>
 #include <string_view>
+#include <vector>
 
 namespace suture {
+
+/// A surface of the model on which a hole's lost face may lie, and where it comes from.
+struct Candidate {
+    Surface surface;
+    std::string kind;  ///< "same surface", "offset", "twin"
+    /// "the surface of face 4", "face 3, offset by 2", "mirrored twin of face 31"
+    std::string from;
+    double allowed = 0.0;  ///< how far it may miss the border by its origin, in model units
+    double chance = 1.0;   ///< how probable it is that another one is as plain
+};
+
+/// Looks for such surfaces: asked only where they are needed, thread safe.
+using CandidateFinder = std::function<std::vector<Candidate>()>;
+
+/// Which of two surfaces is taken that the lost face may have had.
+enum class Prefer {
+    Tight,    ///< the one that fits better: a ball's own envelope
+    Original  ///< a face's: also where it is a CAD system's approximation of a ball
+};
 
 struct FillOptions {
     Tolerance tolerance;
     Progress progress;
-    OptionValues own;  ///< of the options that the method itself declares
+    OptionValues own;    ///< of the options that the method itself declares
+    double noise = 0.0;  ///< how far the model's edges lie off its faces here, in model units
+    CandidateFinder candidates = {};
+    Prefer prefer = Prefer::Tight;
+    /// Told by a method that knows the lost surface again.
+    std::function<void(const Recognised&)> recognised = {};
 };
 
 /// A fill method: patches for a hole, or a refusal that names the ribbon and the reason.

@@ -21,9 +21,25 @@ constexpr double kGap = 3e-5;
 constexpr double kGapOfNoisy = 6e-5;
 constexpr double kNoisy = 4e-5;
 
+/// Models less exact than this do not tell right surfaces from wrong ones.
+constexpr double kTooNoisy = 2.5e-4;
+
 /// A side is tangent if its median angle is within this, and enough of the border has to be.
 constexpr double kAngle = radians(0.1);
 constexpr double kTangent = 0.6;
+
+/// What lies within so many times the noise is explained by it.
+constexpr double kWithin = 3.0;
+
+/// Of an edge that misses its faces by some noise the normals are off by so many times more, in
+/// radians: it waves ten to twenty times along the hole.
+constexpr double kAngleOfNoise = 20.0;
+
+/// So much of the border has to lie on a surface to within the noise, in position and normal.
+constexpr double kExact = 0.4;
+
+/// Numbers that are as plain by chance in one of so many cases say something.
+constexpr double kChance = 0.01;
 
 /// Within these a plane explains a border as well; then the surface has to be so much better.
 constexpr double kPlaneAngle = radians(5.0);
@@ -59,10 +75,15 @@ Agreement measure(const FootFinder& foot, const Border& border) {
     Agreement result;
     double length = 0.0;
     double tangent_length = 0.0;
+    double exact_length = 0.0;
     int tangent_sides = 0;
+    int exact_sides = 0;
+    const double exact_gap = kWithin * border.noise;
+    const double exact_angle = std::min(kAngle, kAngleOfNoise * exact_gap);
     for (const Side& side : border.sides) {
         std::array<double, Border::kSamples> angles{};
         int along = 0;
+        double gap = 0.0;
         for (int k = 0; k < Border::kSamples; ++k) {
             const Foot f = foot(border.origin + border.size * border.points.col(side.first + k));
             const Vector3d n = border.normals.col(side.first + k);
@@ -70,8 +91,9 @@ Agreement measure(const FootFinder& foot, const Border& border) {
             along += cosine > 0.0 ? 1 : -1;
             angles[static_cast<std::size_t>(k)] =
                 std::atan2(f.normal.cross(n).norm(), std::abs(cosine));
-            result.gap = std::max(result.gap, f.distance / border.size);
+            gap = std::max(gap, f.distance / border.size);
         }
+        result.gap = std::max(result.gap, gap);
         std::nth_element(angles.begin(), angles.begin() + Border::kSamples / 2, angles.end());
         const double median = angles[Border::kSamples / 2];
         length += side.length;
@@ -82,9 +104,14 @@ Agreement measure(const FootFinder& foot, const Border& border) {
             ++(along > 0 ? result.outward : result.inward);
             result.faces.push_back(side.ribbon->face);
         }
+        if (gap <= exact_gap && median <= exact_angle) {
+            exact_length += side.length;
+            ++exact_sides;
+        }
     }
     const auto sides = static_cast<double>(border.sides.size());
     result.tangent = std::max(tangent_length / length, tangent_sides / sides);
+    result.exact = std::max(exact_length / length, exact_sides / sides);
     return result;
 }
 
@@ -100,22 +127,39 @@ Agreement measure(const Surface& form, const Border& border) {
 }
 
 double largest_gap(const Border& border) {
+    if (border.noise > kTooNoisy) {
+        return 0.0;
+    }
     return border.noise > kNoisy ? 1.5 * border.noise
-                                 : std::max(kGap, std::min(3.0 * border.noise, kGapOfNoisy));
+                                 : std::max(kGap, std::min(kWithin * border.noise, kGapOfNoisy));
 }
 
-Result<void> believe(const Agreement& agreement, const Border& border, Evidence evidence,
-                     double allowed) {
-    const double limit = std::max(largest_gap(border), allowed);
+Result<void> believe(const Agreement& agreement, const Border& border, const Evidence& evidence) {
+    const double limit = std::max(largest_gap(border), evidence.allowed);
     if (!(agreement.gap <= limit)) {
         return fail(ErrorCode::Refused,
                     "the border lies off by {:.2g} of the hole's diameter, limit {:.2g}",
                     agreement.gap, limit);
     }
-    if (evidence == Evidence::Fit && agreement.tangent < kTangent) {
+    const bool explained = agreement.gap <= std::max(kWithin * border.noise, evidence.allowed);
+    const bool known = evidence.of_model || evidence.allowed > 0.0;
+    const double tangent = explained && !known ? kExact : kTangent;
+    if (!evidence.of_model && agreement.tangent < tangent) {
         return fail(ErrorCode::Refused,
                     "{:.0f} % of the border is tangent to its neighbours, limit {:.0f} %",
-                    100.0 * agreement.tangent, 100.0 * kTangent);
+                    100.0 * agreement.tangent, 100.0 * tangent);
+    }
+    if (agreement.exact < kExact && !(known && explained)) {
+        return fail(ErrorCode::Refused,
+                    "{:.0f} % of the border fits to within the model's noise ({:.2g} of the "
+                    "hole's diameter), limit {:.0f} %",
+                    100.0 * agreement.exact, border.noise, 100.0 * kExact);
+    }
+    if (!known && !explained && evidence.chance > kChance) {
+        return fail(ErrorCode::Refused,
+                    "the border lies off by {:.2g} of the hole's diameter, more than the model's "
+                    "noise of {:.2g}, and no plain number speaks for it",
+                    agreement.gap, border.noise);
     }
     if (agreement.outward > 0 && agreement.inward > 0) {
         return fail(ErrorCode::Refused,
@@ -123,7 +167,7 @@ Result<void> believe(const Agreement& agreement, const Border& border, Evidence 
                     std::min(agreement.outward, agreement.inward),
                     agreement.outward + agreement.inward);
     }
-    if (evidence == Evidence::Model) {
+    if (evidence.of_model) {
         return {};
     }
     const auto [gap, angle] = flatness(border);

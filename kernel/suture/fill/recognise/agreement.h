@@ -22,6 +22,7 @@ struct Agreement {
     double gap = 0.0;        ///< largest distance of the border, as a share of the hole's diameter
     double angle = 0.0;      ///< largest median angle of the sides that are tangent, radians
     double tangent = 0.0;    ///< share of the border, by length or by sides, that is tangent
+    double exact = 0.0;      ///< ... that lies on it and is tangent to within the model's noise
     int outward = 0;         ///< tangent sides whose outside is X_u x X_v
     int inward = 0;          ///< ... and -(X_u x X_v)
     bool plane = false;      ///< it is a plane itself
@@ -36,19 +37,23 @@ struct Agreement {
 [[nodiscard]] Agreement measure(const Surface& form, const Border& border);
 
 /// The largest gap, as a share of the diameter, at which a surface is believed to be the one that
-/// the border was cut from.
+/// the border was cut from; 0 where the model is too inexact to believe anything.
 [[nodiscard]] double largest_gap(const Border& border);
 
 /// What speaks for a surface besides its agreement.
-enum class Evidence {
-    Fit,   ///< nothing: it was fitted to this border
-    Model  ///< a face of the model lies on it, so that sides on it may be sharp
+struct Evidence {
+    /// A face of the model lies on it, so that sides on it may be sharp.
+    bool of_model = false;
+    /// A gap, as a share of the diameter, that is not held against it in any case.
+    double allowed = 0.0;
+    /// How probable numbers as plain as its own are by chance.
+    double chance = 1.0;
 };
 
-/// Input    allowed: a gap, as a share of the diameter, that is not held against it in any case.
-/// Refuses  a border that lies off, neighbours that meet the surface in another normal, and a
-///          surface that says no more than a plane would, with the figures.
+/// Refuses  a border that lies off by more than the model's noise, but for a small part of it that
+///          belongs to a surface with plain numbers; neighbours that meet the surface in another
+///          normal; a surface that says no more than a plane would. With the figures.
 [[nodiscard]] Result<void> believe(const Agreement& agreement, const Border& border,
-                                   Evidence evidence = Evidence::Fit, double allowed = 0.0);
+                                   const Evidence& evidence = {});
 
 }  // namespace suture::recognise

@@ -150,31 +150,35 @@ std::vector<BallGuess> guess_balls(const Border& border) {
     return guesses;
 }
 
-std::vector<double> radii_for(const BallGuess& guess, const Border& border) {
-    std::vector<double> radii;
+std::vector<BallRadius> radii_for(const BallGuess& guess, const Border& border) {
+    std::vector<BallRadius> radii;
     const double sign = guess.radius < 0.0 ? -1.0 : 1.0;
     const double slack = std::max(3.0 * guess.spread, 1e-6) * std::abs(guess.radius);
     const double size = std::abs(guess.radius);
-    const auto add = [&](double r) {
-        if (std::abs(r - size) <= slack &&
-            std::find(radii.begin(), radii.end(), sign * r) == radii.end()) {
-            radii.push_back(sign * r);
+    const auto add = [&](double r, double chance) {
+        const bool known = std::any_of(radii.begin(), radii.end(), [&](const BallRadius& other) {
+            return other.value == sign * r;
+        });
+        if (std::abs(r - size) <= slack && !known) {
+            radii.push_back({sign * r, std::min(chance, 1.0)});
         }
     };
+    double tried = 0.0;
     for (const Side& side : border.sides) {
         if (side.ribbon->support) {
             Surface other = side.ribbon->support->surface;
             if (!std::holds_alternative<Cone>(other)) {
                 for (const double* r : sizes_of(other)) {
-                    add(*r);
+                    tried += 1.0;
+                    add(*r, tried * 2.0 * std::abs(*r - size) / size);
                 }
             }
         }
     }
     if (const auto round = find_round_length(size, slack)) {
-        add(*round);
+        add(*round, chance_of_round(size, *round));
     }
-    add(size);
+    add(size, 1.0);
     return radii;
 }
 

@@ -21,9 +21,15 @@ struct BallGuess {
 /// n2)| is least, with r = (p1 - p2).(n1 - n2) / |n1 - n2|^2.
 [[nodiscard]] std::vector<BallGuess> guess_balls(const Border& border);
 
+/// A radius to try, and how probable it is that another one is as plain.
+struct BallRadius {
+    double value = 0.0;  ///< signed
+    double chance = 1.0;
+};
+
 /// The radii to try for a guess: a neighbour's, round in millimetres or inches, the one that was
 /// measured.
-[[nodiscard]] std::vector<double> radii_for(const BallGuess& guess, const Border& border);
+[[nodiscard]] std::vector<BallRadius> radii_for(const BallGuess& guess, const Border& border);
 
 /// The surface that such a ball envelops, over all of the border.
 [[nodiscard]] Result<ArcSurface> ball_surface(const BallGuess& guess, double radius,

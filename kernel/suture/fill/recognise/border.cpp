@@ -8,9 +8,12 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// The share of a stated tolerance that counts as noise, at most: files state much more than they
-/// need.
-constexpr double kMostStated = 1.5e-4;
+/// Nothing is as exact as this share of the hole's size: surfaces that files hold as B-splines,
+/// feet on them, and coordinates that were rounded when they were written.
+constexpr double kLeastNoise = 1e-9;
+
+/// Of what a coordinate is good to.
+constexpr double kOfRounding = 4.0;
 
 /// A form with its lengths times `scale`, then moved.
 Surface scaled(const Surface& surface, double scale, const Vector3d& shift) {
@@ -55,7 +58,7 @@ Surface Border::to_model(const Surface& surface) const {
     return scaled(surface, size, origin);
 }
 
-Border border_of(const Hole& hole) {
+Border border_of(const Hole& hole, double noise) {
     Border border;
     border.size = hole.diameter;
     int count = 0;
@@ -79,10 +82,10 @@ Border border_of(const Hole& hole) {
     }
     border.origin = border.points.rowwise().mean();
     border.points = (border.points.colwise() - border.origin) / border.size;
-    border.noise = std::max(corner_gap(hole) / border.size,
-                            std::min(hole.tolerance / border.size, kMostStated));
     border.rounding =
         std::numeric_limits<double>::epsilon() * (border.origin.norm() + border.size) / border.size;
+    border.noise = std::max({corner_gap(hole) / border.size, noise / border.size, kLeastNoise,
+                             kOfRounding * border.rounding});
     return border;
 }
 

@@ -25,7 +25,7 @@ struct Border {
     Eigen::Matrix3Xd points;
     Eigen::Matrix3Xd normals;  ///< unit, of the neighbours, outward
     std::vector<Side> sides;
-    double noise = 0.0;     ///< how far the neighbours themselves miss each other here
+    double noise = 0.0;     ///< how exact the model is here, as a share of `size`
     double rounding = 0.0;  ///< what a coordinate of the model is good to
 
     static constexpr int kSamples = 24;  ///< a side
@@ -43,6 +43,8 @@ struct Border {
     [[nodiscard]] Surface to_model(const Surface& surface) const;
 };
 
-[[nodiscard]] Border border_of(const Hole& hole);
+/// Input    noise: how far the model's edges lie off its faces here, in model units. How far the
+///          sides miss each other at corners is measured besides.
+[[nodiscard]] Border border_of(const Hole& hole, double noise = 0.0);
 
 }  // namespace suture::recognise

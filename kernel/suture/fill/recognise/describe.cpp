@@ -41,12 +41,30 @@ std::string letter(const std::string& name) {
 
 }  // namespace
 
-Recognised describe(const Surface& form) {
-    return {std::string(kind_name(form)), Letters{form}.sizes()};
+Recognised describe(const Surface& form, const Agreement& agreement, const Border& border) {
+    Recognised result;
+    result.kind = kind_name(form);
+    result.parameters = Letters{form}.sizes();
+    result.gap = agreement.gap * border.size;
+    result.angle = agreement.angle;
+    if (closed_form(form)) {
+        result.point = frame_of(form).origin;
+        if (!std::holds_alternative<Sphere>(form)) {
+            result.axis = frame_of(form).z;
+        }
+    }
+    result.from = "the hole's border and its neighbours' normals";
+    return result;
 }
 
-Recognised describe_ball(double radius) {
-    return {"rolling ball", {{"radius", radius}}};
+Recognised describe_ball(double radius, const Agreement& agreement, const Border& border) {
+    Recognised result;
+    result.kind = "rolling ball";
+    result.parameters = {{"radius", radius}};
+    result.gap = agreement.gap * border.size;
+    result.angle = agreement.angle;
+    result.from = "a ball that touches two neighbours all along";
+    return result;
 }
 
 std::string sentence(const Recognised& recognised, const Agreement& agreement,

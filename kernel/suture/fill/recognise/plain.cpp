@@ -25,6 +25,9 @@ constexpr double kNear = 1e-3;
 /// A plain number has to lie nearer than this share of its own step, or it is one by chance.
 constexpr double kByChance = 0.01;
 
+/// Two lengths are the same number.
+constexpr double kSameNumber = 1e-12;
+
 constexpr double kInch = 25.4;
 
 /// Steps of plain lengths, coarse ones first.
@@ -33,6 +36,19 @@ constexpr double kLengths[] = {10.0, 5.0,          1.0,   0.5,         0.25,
                                0.01, kInch / 1000, 0.001, kInch * 1e-4};
 constexpr double kAngles[] = {radians(15.0), radians(5.0), radians(1.0), radians(0.5),
                               radians(0.1)};
+
+/// How probable it is that a value lies by chance as near to a multiple of the steps as to this
+/// one, the coarsest that it is a multiple of.
+double chance_among(double value, double round, std::span<const double> steps) {
+    double tried = 0.0;
+    for (const double step : steps) {
+        tried += 1.0;
+        if (std::abs(std::remainder(round, step)) < kSameNumber * round) {
+            return std::min(1.0, tried * 2.0 * std::abs(value - round) / step);
+        }
+    }
+    return 1.0;
+}
 
 /// The multiples of the steps that lie so near to a value that it is not by chance.
 std::vector<double> round_values(double value, std::span<const double> steps) {
@@ -49,7 +65,7 @@ std::vector<double> round_values(double value, std::span<const double> steps) {
 class Plain {
   public:
     Plain(const Surface& form, const Border& border)
-        : border_(border), form_(form), rms_(rms(form, border)) {
+        : border_(border), form_(form), middle_(middle(form, border)) {
         hold_.sizes.resize(sizes_of(form_).size(), false);
     }
 
@@ -60,20 +76,25 @@ class Plain {
         for (std::size_t i = 0; i < hold_.sizes.size(); ++i) {
             size(i);
         }
-        return {form_, facts_};
+        if (std::holds_alternative<Plane>(form_)) {
+            chance_ = turn_chance_;
+        }
+        return {form_, facts_, chance_};
     }
 
   private:
     const Border& border_;
     Surface form_;
-    double rms_;
+    double middle_;
     Hold hold_;
     std::vector<std::string> facts_;
+    double chance_ = 1.0;
+    double turn_chance_ = 1.0;
 
     bool keep(const Surface& start, const Hold& hold) {
         const Surface tried = refine(start, border_, hold);
-        const double now = rms(tried, border_);
-        if (!sensible(tried) || now > std::max(kGrowth * rms_, kExact * border_.rounding)) {
+        const double now = middle(tried, border_);
+        if (!sensible(tried) || now > std::max(kGrowth * middle_, kExact * border_.rounding)) {
             return false;
         }
         form_ = tried;
@@ -92,6 +113,11 @@ class Plain {
 
     void direction() {
         const Frame here = frame_of(form_);
+        double tried = 0.0;
+        // Directions within an angle of a given line are this share of all.
+        const auto met = [&](const Vector3d& axis) {
+            turn_chance_ = std::min(1.0, tried * 0.5 * axis.cross(here.z).squaredNorm());
+        };
         const bool turned = !std::holds_alternative<Plane>(form_);
         for (const Side& side : border_.sides) {
             const auto& support = side.ribbon->support;
@@ -100,6 +126,7 @@ class Plain {
                 continue;
             }
             const Frame axis = frame_of(border_.to_local(support->surface));
+            tried += 1.0;
             if (axis.z.cross(here.z).norm() > kNear) {
                 continue;
             }
@@ -109,12 +136,14 @@ class Plain {
             if (turned && has_axis && axis.z.cross(here.origin - axis.origin).norm() < kNear) {
                 hold.axis = true;
                 if (keep(with_axis(axis.origin, axis.z), hold)) {
+                    met(axis.z);
                     facts_.push_back(fmt::format("axis that of face {}", side.ribbon->face));
                     return;
                 }
                 hold.axis = false;
             }
             if (keep(with_axis(here.origin, axis.z), hold)) {
+                met(axis.z);
                 facts_.push_back(
                     has_axis ? fmt::format("axis parallel to face {}'s", side.ribbon->face)
                              : fmt::format("axis at right angles to face {}", side.ribbon->face));
@@ -125,7 +154,9 @@ class Plain {
                                      Vector3d(Vector3d::UnitZ())}) {
             Hold hold = hold_;
             hold.direction = true;
+            tried += 1.0;
             if (axis.cross(here.z).norm() < kNear && keep(with_axis(here.origin, axis), hold)) {
+                met(axis);
                 return;
             }
         }
@@ -154,15 +185,19 @@ class Plain {
         }
         const double unit = angle ? 1.0 : border_.size;
         const double value = *sizes_of(form_)[i] * unit;
-        for (const double round : round_values(value, angle ? std::span<const double>(kAngles)
-                                                            : std::span<const double>(kLengths))) {
+        const auto steps =
+            angle ? std::span<const double>(kAngles) : std::span<const double>(kLengths);
+        for (const double round : round_values(value, steps)) {
             if (try_size(i, round / unit)) {
+                chance_ = std::min(chance_, chance_among(value, round, steps));
                 return;
             }
         }
     }
 
     bool as_neighbour(std::size_t i) {
+        const double value = *sizes_of(form_)[i];
+        double tried = 0.0;
         for (const Side& side : border_.sides) {
             if (!side.ribbon->support) {
                 continue;
@@ -170,8 +205,11 @@ class Plain {
             Surface other = side.ribbon->support->surface;
             const std::vector<double*> sizes = sizes_of(other);
             for (const double* size : sizes) {
+                tried += 1.0;
                 // A size that was already met exactly says nothing new, but names its source.
                 if (!std::holds_alternative<Cone>(other) && try_size(i, *size / border_.size)) {
+                    const double off = std::abs(value - *size / border_.size);
+                    chance_ = std::min(chance_, tried * 2.0 * off / value);
                     facts_.push_back(fmt::format("{} as of face {}",
                                                  sizes_of(form_).size() == 2 && i == 0 ? "R" : "r",
                                                  side.ribbon->face));
@@ -196,6 +234,10 @@ std::optional<double> find_round_length(double length, double slack) {
         }
     }
     return std::nullopt;
+}
+
+double chance_of_round(double length, double round) {
+    return chance_among(length, round, kLengths);
 }
 
 }  // namespace suture::recognise

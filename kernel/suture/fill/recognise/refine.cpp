@@ -17,6 +17,8 @@ using Eigen::Vector3d;
 using Eigen::VectorXd;
 
 constexpr int kSteps = 25;
+/// Steps that come down by less lead nowhere.
+constexpr double kSlow = 0.99;
 
 /// Directions in which the points' noise would be amplified by more than this are left alone; the
 /// least and the most singular value against the largest.
@@ -117,51 +119,89 @@ double rms(const Surface& form, const Border& border) {
     return std::sqrt(sum / static_cast<double>(border.points.cols()));
 }
 
-Surface refine(Surface form, const Border& border, const Hold& hold) {
+double middle(const Surface& form, const Border& border) {
+    std::vector<double> off;
+    off.reserve(static_cast<std::size_t>(border.count()));
+    for (Eigen::Index k = 0; k < border.points.cols(); ++k) {
+        off.push_back(std::abs(distance_to(form, border.points.col(k)).value));
+    }
+    const auto half = off.begin() + static_cast<std::ptrdiff_t>(off.size() / 2);
+    std::nth_element(off.begin(), half, off.end());
+    return *half;
+}
+
+namespace {
+
+/// Huber's function of the distances: their squares up to `knee`, beyond it they count singly.
+double cost(const Surface& form, const Border& border, double knee) {
+    double sum = 0.0;
+    for (Eigen::Index k = 0; k < border.points.cols(); ++k) {
+        const double d = std::abs(distance_to(form, border.points.col(k)).value);
+        sum += d < knee ? 0.5 * d * d / knee : d - 0.5 * knee;
+    }
+    return sum;
+}
+
+/// One step of Gauss and Newton.
+Surface step(Surface form, const Border& border, const Hold& hold, double knee) {
     const Eigen::Index n = border.points.cols();
     const double cut = std::clamp(kAmplified * border.noise, kLeastCut, kMostCut);
-    settle(form);
-    Surface best = form;
-    double least = rms(form, border);
-    for (int step = 0; step < kSteps; ++step) {
-        const MatrixXd motions = free_motions(form, hold);
-        const std::vector<std::size_t> sizes = free_sizes(form, hold);
-        const auto unknowns = motions.cols() + static_cast<Eigen::Index>(sizes.size());
-        MatrixXd J(n, unknowns);
-        VectorXd f(n);
-        for (Eigen::Index k = 0; k < n; ++k) {
-            const Vector3d p = border.points.col(k);
-            const Distance d = distance_to(form, p);
-            Eigen::Matrix<double, 1, 6> by_motion;
-            by_motion << -p.cross(d.normal).transpose(), -d.normal.transpose();
-            J.row(k).head(motions.cols()) = by_motion * motions;
-            const std::vector<double> own = by_sizes(form, p);
-            for (std::size_t i = 0; i < sizes.size(); ++i) {
-                J(k, motions.cols() + static_cast<Eigen::Index>(i)) = own[sizes[i]];
-            }
-            f[k] = d.value;
-        }
-        Eigen::JacobiSVD<MatrixXd> svd(J, Eigen::ComputeThinU | Eigen::ComputeThinV);
-        svd.setThreshold(cut);
-        const VectorXd x = svd.solve(-f);
-        move(form, motions * x.head(motions.cols()));
-        const std::vector<double*> values = sizes_of(form);
+    const MatrixXd motions = free_motions(form, hold);
+    const std::vector<std::size_t> sizes = free_sizes(form, hold);
+    const auto unknowns = motions.cols() + static_cast<Eigen::Index>(sizes.size());
+    MatrixXd J(n, unknowns);
+    VectorXd f(n);
+    for (Eigen::Index k = 0; k < n; ++k) {
+        const Vector3d p = border.points.col(k);
+        const Distance d = distance_to(form, p);
+        const double weight = std::sqrt(knee / std::max(std::abs(d.value), knee));
+        Eigen::Matrix<double, 1, 6> by_motion;
+        by_motion << -p.cross(d.normal).transpose(), -d.normal.transpose();
+        J.row(k).head(motions.cols()) = weight * by_motion * motions;
+        const std::vector<double> own = by_sizes(form, p);
         for (std::size_t i = 0; i < sizes.size(); ++i) {
-            *values[sizes[i]] += x[motions.cols() + static_cast<Eigen::Index>(i)];
+            J(k, motions.cols() + static_cast<Eigen::Index>(i)) = weight * own[sizes[i]];
         }
-        settle(form);
-        const double now = rms(form, border);
+        f[k] = weight * d.value;
+    }
+    Eigen::JacobiSVD<MatrixXd> svd(J, Eigen::ComputeThinU | Eigen::ComputeThinV);
+    svd.setThreshold(cut);
+    const VectorXd x = svd.solve(-f);
+    move(form, motions * x.head(motions.cols()));
+    const std::vector<double*> values = sizes_of(form);
+    for (std::size_t i = 0; i < sizes.size(); ++i) {
+        *values[sizes[i]] += x[motions.cols() + static_cast<Eigen::Index>(i)];
+    }
+    settle(form);
+    return form;
+}
+
+/// Steps as long as they come down.
+Surface descend(Surface form, const Border& border, const Hold& hold, double knee) {
+    double least = cost(form, border, knee);
+    for (int k = 0; k < kSteps; ++k) {
+        const Surface next = step(form, border, hold, knee);
+        const double now = cost(next, border, knee);
         if (!(now < least)) {
             break;
         }
-        const bool done = now < border.rounding || now > 0.99 * least;
+        const bool done = now > kSlow * least || middle(next, border) < border.rounding;
         least = now;
-        best = form;
+        form = next;
         if (done) {
             break;
         }
     }
-    return best;
+    return form;
+}
+
+}  // namespace
+
+Surface refine(Surface form, const Border& border, const Hold& hold) {
+    settle(form);
+    constexpr double kSquares = 1e3;  // larger than any distance
+    form = descend(std::move(form), border, hold, kSquares);
+    return descend(std::move(form), border, hold, border.noise);
 }
 
 }  // namespace suture::recognise

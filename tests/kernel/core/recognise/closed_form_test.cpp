@@ -129,7 +129,8 @@ TEST(FillRecognise, FindsTheSameKindThroughNoise) {
         for (int variant = 0; variant < 2; ++variant) {
             for (const Truth& truth : truths(1.0, variant == 1)) {
                 Hole hole = without_supports(windows::window_in(truth.surface, truth.window));
-                hole.tolerance = noise * hole.diameter;
+                FillOptions options;
+                options.noise = noise * hole.diameter;
                 std::uniform_real_distribution<double> phase(0.0, 6.0);
                 for (Ribbon& ribbon : hole.loops[0].ribbons) {
                     const double a = phase(random);
@@ -140,7 +141,7 @@ TEST(FillRecognise, FindsTheSameKindThroughNoise) {
                         return p;
                     };
                 }
-                const auto fill = fill_recognise(hole, {});
+                const auto fill = fill_recognise(hole, options);
                 ASSERT_TRUE(fill) << kind_name(truth.surface) << ": " << fill.error().message;
                 const Patch& patch = fill->patches.front();
                 ASSERT_EQ(kind_name(patch.surface), kind_name(truth.surface)) << noise;
