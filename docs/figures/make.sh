@@ -50,3 +50,6 @@ docs/figures/patches.py ./suture docs/figures/manifold.png
 
 # The paper's two surfaces of docs/methods/algebraic.md.
 docs/figures/algebraic.py ./suture docs/figures/algebraic.png
+
+# The lost face of docs/methods/recognise.md.
+docs/figures/recognised.py ./suture docs/figures/recognised.png

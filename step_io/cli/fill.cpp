@@ -42,6 +42,8 @@ struct FillOptions {
     std::string continuity = "auto";
     std::string edge_continuity;
     std::string occt_setting = "default";
+    std::string recognise = "model";
+    std::string prefer = "tight";
     std::filesystem::path through;
     std::string through_edges;
     std::optional<double> tolerance, angle, curvature, timeout;
@@ -115,6 +117,10 @@ Result<void> take_own(const FillOptions& options, FillRequest& request) {
 /// How, and how exactly.
 Result<void> take_limits(const FillOptions& options, FillRequest& request) {
     request.method = options.method;
+    request.recognise = options.recognise == "off"          ? std::nullopt
+                        : options.recognise == "neighbours" ? std::optional(Scope::Neighbours)
+                                                            : std::optional(Scope::Model);
+    request.prefer = options.prefer == "original" ? Prefer::Original : Prefer::Tight;
     request.plate_setting =
         options.occt_setting == "tuned" ? PlateSetting::Tuned : PlateSetting::Default;
     double timeout = std::chrono::duration<double>(request.plate_limit).count();
@@ -186,6 +192,16 @@ void add_wishes(CLI::App& app, FillOptions& options) {
                    "given several times")
         ->allow_extra_args(false)
         ->option_text("KEY=VALUE");
+    app.add_option("--recognise", options.recognise,
+                   "Where the very face that was lost is looked for: around the hole, in the "
+                   "whole model (default), or not at all")
+        ->check(CLI::IsMember({"off", "neighbours", "model"}))
+        ->option_text("off|neighbours|model");
+    app.add_option("--prefer", options.prefer,
+                   "Of a rolling ball's own envelope and a face's approximation of one: the "
+                   "tighter (default) or the original")
+        ->check(CLI::IsMember({"tight", "original"}))
+        ->option_text("tight|original");
     app.add_option("--continuity", options.continuity,
                    "How the new face joins its neighbours: G0 (position), G1 (tangent), G2 "
                    "(curvature) or auto")

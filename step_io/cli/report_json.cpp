@@ -181,6 +181,29 @@ Json json_of(const ImplicitForm& form) {
             {"cells", cells}};
 }
 
+namespace {
+
+Json recognised_of(const Recognised& found) {
+    Json parameters = Json::object();
+    for (const auto& [name, value] : found.parameters) {
+        parameters[name] = value;
+    }
+    Json json{{"kind", found.kind},
+              {"parameters", parameters},
+              {"from", found.from},
+              {"gap", found.gap},
+              {"angle_deg", degrees(found.angle)}};
+    if (!found.axis.isZero() || !found.point.isZero()) {
+        json["point"] = cli::json_of(found.point);
+    }
+    if (!found.axis.isZero()) {
+        json["axis"] = cli::json_of(found.axis);
+    }
+    return json;
+}
+
+}  // namespace
+
 Json json_of(const HoleReport& hole, int sides) {
     const bool filled = hole.status == FillStatus::Filled;
     Json json{{"id", hole.ids.front()},
@@ -208,6 +231,9 @@ Json json_of(const HoleReport& hole, int sides) {
         hole.through.empty() ? Json() : measured(hole.max_distance_through);
     json["patches"] = array_of(hole.patches);
     json["edges"] = array_of(hole.sides);
+    if (hole.recognised) {
+        json["recognised"] = recognised_of(*hole.recognised);
+    }
     json["seconds"] = hole.seconds;
     json["reason"] = hole.reason;
     json["notes"] = strings_of(hole.notes);

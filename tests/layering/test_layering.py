@@ -16,12 +16,14 @@ ALLOWED = {
     "occ": ["base", "spline", "model"],
     "detect": ["base", "spline", "model", "occ"],
     "ribbon": ["base", "spline", "model", "occ", "detect"],
+    "candidates": CORE + ["occ", "detect", "ribbon"],
     "occt_filling": CORE + ["occ", "detect", "ribbon"],
     "faces": ["base", "spline", "model", "occ", "detect", "ribbon"],
     "sew": ["base", "spline", "model", "occ", "detect", "faces"],
     "check": ["base", "occ"],
     "judge": ["base", "spline", "model", "occ", "check"],
-    "choose": CORE + ["occ", "detect", "ribbon", "occt_filling", "faces", "check", "judge"],
+    "choose": CORE
+    + ["occ", "detect", "ribbon", "candidates", "occt_filling", "faces", "check", "judge"],
 }
 ALLOWED["flow"] = list(ALLOWED)
 KERNEL = list(ALLOWED)

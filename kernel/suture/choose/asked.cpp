@@ -48,10 +48,11 @@ AskedFill asked_of(const std::vector<BoundaryLoop>& loops, const Hole& hole,
     return asked;
 }
 
-bool has_closed_form(const FillResult& fill) {
-    return std::none_of(fill.patches.begin(), fill.patches.end(), [](const Patch& patch) {
-        return std::holds_alternative<SplineSurface>(patch.surface);
-    });
+void account_for(const FillResult& fill, bool recognised, AskedFill& asked) {
+    asked.closed_form = std::none_of(
+        fill.patches.begin(), fill.patches.end(),
+        [](const Patch& patch) { return std::holds_alternative<SplineSurface>(patch.surface); });
+    asked.recognised = recognised;
 }
 
 }  // namespace suture

@@ -17,7 +17,10 @@ namespace suture {
 [[nodiscard]] AskedFill asked_of(const std::vector<BoundaryLoop>& loops, const Hole& hole,
                                  const std::vector<Wish>& wishes, const Tolerance& tolerance);
 
-/// Whether all surfaces of a fill have a closed form.
-[[nodiscard]] bool has_closed_form(const FillResult& fill);
+/// Adds what a fill says of itself: that its surfaces have a closed form, that it is the lost
+/// surface.
+///
+/// Changes  asked: closed_form, recognised.
+void account_for(const FillResult& fill, bool recognised, AskedFill& asked);
 
 }  // namespace suture

@@ -2,6 +2,7 @@
 
 #include "suture/choose/asked.h"
 #include "suture/fill/fill.h"
+#include "suture/ribbon/noise.h"
 
 #include <algorithm>
 #include <chrono>
@@ -16,7 +17,8 @@ using Clock = std::chrono::steady_clock;
 /// A method together with all that it needs.
 struct Attempt {
     std::string name;
-    std::function<Result<FillResult>()> fill;
+    /// Sets what was recognised, if anything.
+    std::function<Result<FillResult>(std::optional<Recognised>&)> fill;
     bool slow = false;
     bool last_resort = false;  ///< position only, where nothing else is worth taking
 };
@@ -51,6 +53,22 @@ Hole with_own_wishes_given_up(Hole hole, const FillRequest& request) {
     return hole;
 }
 
+/// The same hole with tangency wanted where continuous curvature was only hoped for: the face that
+/// was lost had none there either.
+Hole without_hopes(Hole hole, const FillRequest& request) {
+    for (RibbonLoop& loop : hole.loops) {
+        for (Ribbon& ribbon : loop.ribbons) {
+            if (!request.continuity && !request.edge_continuity.contains(ribbon.edge)) {
+                ribbon.continuity = std::min(ribbon.continuity, Continuity::G1);
+            }
+        }
+    }
+    return hole;
+}
+
+/// The method that looks for the lost face.
+constexpr std::string_view kRecognise = "recognise";
+
 std::string plate_name(PlateSetting setting, bool relaxed) {
     const bool tuned = setting == PlateSetting::Tuned;
     return relaxed ? (tuned ? "occt (tuned, position only)" : "occt (position only)")
@@ -62,12 +80,19 @@ std::string plate_name(PlateSetting setting, bool relaxed) {
 std::vector<Attempt> attempts_for(const Site& site, const Hole& hole, const FillRequest& request,
                                   const Tolerance& tolerance) {
     const bool automatic = request.method == "auto";
+    FillOptions options{tolerance, request.progress, request.options};
+    options.noise = measure_noise(site.loops, hole);
+    options.candidates = site.candidates;
+    options.prefer = request.prefer;
     std::vector<Attempt> attempts;
     for (const FillMethod& method : fill_methods()) {
-        if (automatic ? method.in_auto : request.method == method.id) {
+        const bool left_out = method.id == kRecognise && !request.recognise;
+        if (automatic ? method.in_auto && !left_out : request.method == method.id) {
             attempts.push_back(
-                {std::string(method.id), [&, method] {
-                     return method.fill(hole, {tolerance, request.progress, request.options});
+                {std::string(method.id), [&, method, options](std::optional<Recognised>& found) {
+                     FillOptions own = options;
+                     own.recognised = [&](const Recognised& what) { found = what; };
+                     return method.fill(hole, own);
                  }});
         }
     }
@@ -78,7 +103,7 @@ std::vector<Attempt> attempts_for(const Site& site, const Hole& hole, const Fill
     }
     const auto plate = [&](PlateSetting setting, bool relaxed = false) {
         attempts.push_back({plate_name(setting, relaxed),
-                            [&, setting, relaxed] {
+                            [&, setting, relaxed](std::optional<Recognised>& /*found*/) {
                                 return fill_with_plate(
                                     site.loops, relaxed ? without_tangency(hole) : hole, setting,
                                     request.plate_limit, request.progress);
@@ -175,6 +200,7 @@ Result<Choice> choose_fill(const Site& site, const Hole& hole, const FillRequest
     const AskedFill asked = asked_of(site.loops, hole, {}, tolerance);
     const AskedFill less =
         asked_of(site.loops, with_own_wishes_given_up(hole, request), {}, tolerance);
+    const AskedFill unhoped = asked_of(site.loops, without_hopes(hole, request), {}, tolerance);
     std::optional<Choice> best;
     std::vector<std::string> verdicts;
     double seconds = 0.0;
@@ -190,7 +216,8 @@ Result<Choice> choose_fill(const Site& site, const Hole& hole, const FillRequest
             continue;
         }
         const auto start = Clock::now();
-        auto fill = attempt.fill();
+        std::optional<Recognised> recognised;
+        auto fill = attempt.fill(recognised);
         seconds += std::chrono::duration<double>(Clock::now() - start).count();
         if (!fill) {
             verdicts.push_back(attempt.name + ": " + fill.error().message);
@@ -201,8 +228,8 @@ Result<Choice> choose_fill(const Site& site, const Hole& hole, const FillRequest
             verdicts.push_back(attempt.name + ": " + trial.error().message);
             continue;
         }
-        AskedFill wanted = attempt.last_resort ? less : asked;
-        wanted.closed_form = has_closed_form(*fill);
+        AskedFill wanted = attempt.last_resort ? less : recognised ? unhoped : asked;
+        account_for(*fill, recognised.has_value(), wanted);
         Judgement verdict = judge_fill(wanted, trial->measures);
         // Clashes take longest: they are looked for where all else is good enough to be taken.
         if (verdict.severity != Severity::Bad &&
@@ -215,9 +242,13 @@ Result<Choice> choose_fill(const Site& site, const Hole& hole, const FillRequest
         }
         verdicts.push_back(sentence(attempt.name, verdict));
         if (!best || rank_of(verdict) < rank_of(best->verdict)) {
-            best = Choice{
-                attempt.name, std::move(*fill), std::move(trial->measures), std::move(verdict), {},
-                0.0};
+            best = Choice{attempt.name,
+                          std::move(*fill),
+                          std::move(trial->measures),
+                          std::move(verdict),
+                          {},
+                          0.0,
+                          std::move(recognised)};
         }
         const bool bad = best->verdict.severity == Severity::Bad;
         if (best->verdict.within() || (!automatic && !bad)) {

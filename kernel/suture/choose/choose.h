@@ -5,8 +5,10 @@
 #include "suture/choose/trial.h"
 #include "suture/judge/judge_fill.h"
 #include "suture/model/patch.h"
+#include "suture/model/recognised.h"
 #include "suture/model/ribbon.h"
 
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -22,6 +24,7 @@ struct Choice {
     Judgement verdict;
     std::string reason;
     double seconds = 0.0;  ///< in the fill methods, all that were tried
+    std::optional<Recognised> recognised;
     bool relaxed = false;  ///< position only, along all sides that nobody asked to be smooth
 
     /// OCCT's filling, which can take a minute, would not come noticeably nearer.

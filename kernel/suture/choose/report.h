@@ -2,6 +2,7 @@
 
 #include "suture/judge/judge_fill.h"
 #include "suture/model/continuity.h"
+#include "suture/model/recognised.h"
 
 #include <Eigen/Core>
 
@@ -46,6 +47,7 @@ struct HoleReport {
     double max_gap = 0.0, max_angle = 0.0, max_curvature_mismatch = 0.0;
     std::vector<PatchFacts> patches;
     std::vector<SideReport> sides;
+    std::optional<Recognised> recognised;  ///< in the part's own coordinates
     std::vector<Eigen::Vector3d> through;  ///< points that were to be passed
     double max_distance_through = 0.0;     ///< of these points from the new face
     std::vector<std::string> notes;

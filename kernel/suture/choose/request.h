@@ -2,7 +2,8 @@
 
 #include "suture/base/progress.h"
 #include "suture/base/tolerance.h"
-#include "suture/fill/option.h"
+#include "suture/candidates/model_candidates.h"
+#include "suture/fill/fill.h"
 #include "suture/model/continuity.h"
 #include "suture/occt_filling/plate.h"
 
@@ -31,6 +32,9 @@ struct FillRequest {
     std::chrono::milliseconds plate_limit{120'000};  ///< for each run of OCCT's filling
     bool keep_bad = false;        ///< put fills into the model that the judge calls bad
     std::vector<int> leave_open;  ///< ids of holes whose fill came out bad in the written file
+    /// Where the lost face's surface is looked for; none: `auto` leaves `recognise` out.
+    std::optional<Scope> recognise = Scope::Model;
+    Prefer prefer = Prefer::Tight;
     Progress progress;
 };
 

@@ -160,8 +160,9 @@ Result<Choice> choose_smoothest(const Site& site, Hole& hole, std::vector<Wish>&
         }
     });
     if (smooth) {
-        smooth->verdict =
-            judge_fill(asked_of(site.loops, hole, wishes, tolerance), smooth->measures);
+        AskedFill asked = asked_of(site.loops, hole, wishes, tolerance);
+        account_for(smooth->fill, smooth->recognised.has_value(), asked);
+        smooth->verdict = judge_fill(asked, smooth->measures);
         if (smooth->verdict.within()) {
             return smooth;
         }

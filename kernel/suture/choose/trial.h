@@ -5,6 +5,7 @@
 #include "suture/base/tolerance.h"
 #include "suture/check/fill_measures.h"
 #include "suture/detect/boundary_loop.h"
+#include "suture/fill/fill.h"
 #include "suture/model/patch.h"
 #include "suture/model/ribbon.h"
 
@@ -19,6 +20,7 @@ namespace suture {
 struct Site {
     const TopoDS_Shape& shape;
     const std::vector<BoundaryLoop>& loops;  ///< the hole's, in the shape
+    CandidateFinder candidates = {};         ///< surfaces of the model for it
 };
 
 /// A fill in the model, for trial: its faces stand on copies of the hole's edges and of the faces

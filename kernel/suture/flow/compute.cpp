@@ -87,7 +87,7 @@ void take(Choice choice, const FillRequest& request, ComputedFill& computed) {
     for (const Patch& patch : choice.fill.patches) {
         report.patches.push_back(facts_of(patch));
     }
-    report.asked.closed_form = has_closed_form(choice.fill);
+    account_for(choice.fill, choice.recognised.has_value(), report.asked);
     set_figures(choice.measures, report);
     report.clashes = std::move(choice.measures.clashes);
     report.overlays = std::move(choice.measures.overlays);
@@ -98,6 +98,7 @@ void take(Choice choice, const FillRequest& request, ComputedFill& computed) {
         return;
     }
     report.status = FillStatus::Filled;
+    report.recognised = std::move(choice.recognised);
     computed.fill = std::move(choice.fill);
 }
 
@@ -114,8 +115,8 @@ ComputedFill compute_fill(const TopoDS_Shape& shape, const HolePlan& plan,
     computed.hole = *plan.hole;
     computed.report.through = computed.hole.through;
     std::vector<Wish> wishes = plan.wishes;
-    auto choice =
-        choose_smoothest({shape, plan.loops}, computed.hole, wishes, request, request.tolerance);
+    auto choice = choose_smoothest({shape, plan.loops, plan.candidates}, computed.hole, wishes,
+                                   request, request.tolerance);
     computed.seconds_choose = seconds_since(start);
     report_wishes(computed.hole, wishes, computed.report);
     computed.report.asked = asked_of(plan.loops, computed.hole, wishes, request.tolerance);

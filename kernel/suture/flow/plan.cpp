@@ -1,11 +1,14 @@
 #include "suture/flow/plan.h"
 
+#include "suture/candidates/model_candidates.h"
 #include "suture/choose/choose.h"
 #include "suture/choose/select.h"
 #include "suture/detect/find_loops.h"
 #include "suture/ribbon/extract.h"
 
 #include <algorithm>
+#include <memory>
+#include <mutex>
 
 namespace suture {
 namespace {
@@ -37,15 +40,38 @@ bool is_left_open(const std::vector<BoundaryLoop>& loops, const FillRequest& req
                        [&](int id) { return id == loops.front().id; });
 }
 
-HolePlan plan_of(const std::vector<BoundaryLoop>& loops, const FillRequest& request) {
+/// The search for surfaces of the model, made once.
+CandidateFinder candidates_for(const TopoDS_Shape& shape, const occ::Numbering& numbering,
+                               const std::vector<BoundaryLoop>& loops, const Hole& hole,
+                               Scope scope) {
+    struct Found {
+        std::once_flag once;
+        std::vector<Candidate> candidates;
+    };
+    return [shape, &numbering, loops, hole, scope, found = std::make_shared<Found>()] {
+        std::call_once(found->once, [&] {
+            // Where the search fails there is one source less: no reason to refuse the hole.
+            found->candidates = find_candidates(shape, numbering, loops, hole, scope)
+                                    .value_or(std::vector<Candidate>());
+        });
+        return found->candidates;
+    };
+}
+
+HolePlan plan_of(const TopoDS_Shape& shape, const occ::Numbering& numbering,
+                 const std::vector<BoundaryLoop>& loops, const FillRequest& request) {
     if (is_left_open(loops, request)) {
-        return {loops, fail(ErrorCode::Refused, "left open"), {}};
+        return {loops, fail(ErrorCode::Refused, "left open"), {}, {}};
     }
-    HolePlan plan{loops, extract_hole(loops), {}};
+    HolePlan plan{loops, extract_hole(loops), {}, {}};
     if (plan.hole) {
         plan.hole->through = request.through;
         plan.wishes = wishes_for(*plan.hole, request);
         ask(*plan.hole, plan.wishes);
+        if (request.recognise) {
+            plan.candidates =
+                candidates_for(shape, numbering, loops, *plan.hole, *request.recognise);
+        }
     }
     return plan;
 }
@@ -72,7 +98,7 @@ Result<FillPlan> plan_fills(const TopoDS_Shape& shape, const occ::Numbering& num
     }
     FillPlan plan{{}, selection->skipped};
     for (const std::vector<BoundaryLoop>& hole : selection->holes) {
-        plan.holes.push_back(plan_of(hole, request));
+        plan.holes.push_back(plan_of(shape, numbering, hole, request));
     }
     return plan;
 }

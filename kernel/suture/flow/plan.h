@@ -19,6 +19,7 @@ struct HolePlan {
     std::vector<BoundaryLoop> loops;  ///< the longest first
     Result<Hole> hole;                ///< its ribbons, or why it has none
     std::vector<Wish> wishes;         ///< side by side, in the order of the loops
+    CandidateFinder candidates;  ///< looks in the shape that was planned for; keeps what it found
 };
 
 /// What is to be filled, and why the rest is not.
@@ -29,6 +30,7 @@ struct FillPlan {
 
 /// Looks and decides what is wanted: loops, which of them, ribbons, wishes. Changes nothing.
 ///
+/// Input    numbering: must live as long as the plan.
 /// Refuses  unknown methods and options, hole ids and edges that do not exist (Usage); a shape
 ///          without a hole (NothingToDo).
 [[nodiscard]] Result<FillPlan> plan_fills(const TopoDS_Shape& shape,

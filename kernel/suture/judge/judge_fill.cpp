@@ -238,6 +238,9 @@ class Judge {
         Finding finding = make(FindingKind::Gap, edge.max_gap, asked_.tolerance.linear);
         finding.edge = number;
         finding.at = edge.gap_at;
+        if (asked_.recognised) {
+            forced = std::max(forced, kOwnGap * asked_.diameter);
+        }
         const bool noise = forced <= kBadGap * asked_.diameter;
         add_forced(std::move(finding), of_gap(edge.max_gap, asked_.tolerance.linear),
                    noise ? forced : 0.0);
@@ -250,7 +253,10 @@ class Judge {
         if (side != nullptr) {
             finding.edge = side->edge;
             forced = side->corner_angle;
-            if (forced > asked_.tolerance.angular) {
+            if (asked_.recognised && forced < edge.max_angle && edge.max_angle <= kOwnNoise) {
+                forced = edge.max_angle;
+                finding.detail = "so its neighbour meets the recognised surface itself";
+            } else if (forced > asked_.tolerance.angular) {
                 finding.detail = fmt::format(
                     "its neighbour meets the next one at {:.3g} deg itself", degrees(forced));
             }

@@ -29,6 +29,9 @@ struct AskedFill {
     double diameter = 0.0;         ///< of the hole, model units
     /// A cylinder, a ball or the like, which goes as far as it goes: it is no balloon.
     bool closed_form = false;
+    /// It is the surface that the lost face had: what its sides miss is the model's own noise, up
+    /// to kOwnNoise in angle and kOwnGap in position.
+    bool recognised = false;
     Tolerance tolerance;  ///< the request's: the one that every figure is held against
 };
 
@@ -66,5 +69,8 @@ void add_finding(Finding finding, Judgement& verdict);
 /// Neighbours that miss each other by up to this at a corner show how exact the model is; beyond
 /// they are different surfaces.
 inline constexpr double kOwnNoise = radians(1.0);
+
+/// The gap that a recognised surface may leave, as a share of the hole's diameter.
+inline constexpr double kOwnGap = 1e-4;
 
 }  // namespace suture
