@@ -52,7 +52,7 @@ Result<void> validate(Command& command, AlgebraicOptions& options) {
             return tl::unexpected(format.error());
         }
         options.format = *format;
-        auto writable = expect_writable("-o", options.output, command.input, /*force=*/false);
+        auto writable = expect_writable("-o", options.output, command.input, Force::NotOffered);
         if (!writable) {
             return writable;
         }
@@ -60,7 +60,7 @@ Result<void> validate(Command& command, AlgebraicOptions& options) {
     if (!options.mesh.empty()) {
         command.outputs.push_back(options.mesh);
         command.one_output = command.outputs.size() == 1;
-        return expect_writable("--mesh", options.mesh, command.input, /*force=*/false);
+        return expect_writable("--mesh", options.mesh, command.input, Force::NotOffered);
     }
     return {};
 }

@@ -1,12 +1,12 @@
 #include "cli/algebraic_problem.h"
 
+#include "cli/json_file.h"
 #include "suture/fill/algebraic/jets.h"
 #include "suture/fill/algebraic/parse.h"
 #include "suture/fill/algebraic/sheet.h"
 
 #include <fmt/format.h>
 
-#include <fstream>
 #include <map>
 
 namespace suture::cli {
@@ -17,6 +17,11 @@ using algebraic::ExactSolution;
 using algebraic::Point;
 using algebraic::Rational;
 using Eigen::Vector3d;
+
+// What goes beyond these is a slip of the pen, and would take days.
+constexpr std::size_t kMostSides = 32;
+constexpr int kHighestOrder = 8;
+constexpr int kHighestDegree = 20;
 
 /// A number, or its exact value as text.
 Result<Rational> number_of(const Json& json) {
@@ -82,7 +87,12 @@ Result<void> read_choices(const Json& json, ExactProblem& problem) {
         problem.outer = *outer;
     }
     if (json.contains("degree")) {
-        problem.search.degree = json["degree"].get<int>();
+        const auto degree = json["degree"].get<double>();
+        if (!(degree >= 1.0 && degree <= kHighestDegree)) {
+            return fail(ErrorCode::Usage, "\"degree\" is {}, not from 1 to {}", degree,
+                        kHighestDegree);
+        }
+        problem.search.degree = static_cast<int>(degree);
     }
     if (json.contains("cells")) {
         const auto cells = json["cells"].get<std::string>();
@@ -104,23 +114,28 @@ Json json_of(const Vector3d& p) {
 }  // namespace
 
 Result<ExactProblem> read_problem(const std::filesystem::path& file) {
-    std::ifstream stream(file);
-    if (!stream) {
-        return fail(ErrorCode::Unreadable, "{}: cannot be read", file.string());
+    const Result<Json> read = read_json(file);
+    if (!read) {
+        return tl::unexpected(read.error());
     }
-    const Json json = Json::parse(stream, nullptr, /*allow_exceptions=*/false);
+    const Json& json = *read;
     if (!json.is_object() || !json.contains("sides") || !json["sides"].is_array()) {
         return fail(ErrorCode::Unreadable, "{}: no JSON object with \"sides\"", file.string());
+    }
+    if (json["sides"].size() > kMostSides) {
+        return fail(ErrorCode::Usage, "{}: it has {} sides, more than {}", file.string(),
+                    json["sides"].size(), kMostSides);
     }
     ExactProblem problem;
     try {
         problem.k = json.value("k", 1);
-        if (problem.k < 0) {
-            return fail(ErrorCode::Usage, "{}: \"k\" is {}, less than 0", file.string(), problem.k);
+        if (problem.k < 0 || problem.k > kHighestOrder) {
+            return fail(ErrorCode::Usage, "{}: \"k\" is {}, not from 0 to {}", file.string(),
+                        problem.k, kHighestOrder);
         }
-        for (const auto& read : {read_sides(json["sides"], problem), read_choices(json, problem)}) {
-            if (!read) {
-                return fail(ErrorCode::Usage, "{}: {}", file.string(), read.error().message);
+        for (const auto& part : {read_sides(json["sides"], problem), read_choices(json, problem)}) {
+            if (!part) {
+                return fail(ErrorCode::Usage, "{}: {}", file.string(), part.error().message);
             }
         }
     } catch (const nlohmann::json::exception& wrong) {

@@ -182,7 +182,7 @@ std::optional<std::string_view> nearest(std::string_view name,
 }
 
 Result<void> expect_writable(std::string_view option, const fs::path& output, const fs::path& input,
-                             bool force) {
+                             Force force) {
     std::error_code error;
     if (fs::is_directory(output, error)) {
         return fail(ErrorCode::Usage, "{} {} is a folder: name a file in it", option,
@@ -206,10 +206,10 @@ Result<void> expect_writable(std::string_view option, const fs::path& output, co
         return fail(ErrorCode::Usage, "{} {}: the folder {} takes no new files ({})", option,
                     output.string(), folder.string(), std::strerror(errno));
     }
-    if (!force && fs::equivalent(output, input, error)) {
-        return fail(ErrorCode::Usage,
-                    "{} {} is the input itself: name another file, or add --force to replace it",
-                    option, output.string());
+    if (force != Force::Given && fs::equivalent(output, input, error)) {
+        return fail(ErrorCode::Usage, "{} {} is the input itself: name another file{}", option,
+                    output.string(),
+                    force == Force::NotGiven ? ", or add --force to replace it" : "");
     }
     return {};
 }

@@ -37,10 +37,21 @@ namespace suture::cli {
 [[nodiscard]] std::optional<std::string_view> nearest(std::string_view name,
                                                       const std::vector<std::string_view>& known);
 
+/// Whether an output may be the input.
+enum class Force {
+    Given,      ///< it may
+    NotGiven,   ///< not without --force
+    NotOffered  ///< never: the command has no --force for this output
+};
+
+[[nodiscard]] constexpr Force force_of(bool given) {
+    return given ? Force::Given : Force::NotGiven;
+}
+
 /// Refuses (Usage) an output that makes no sense before any work is done: a folder, a file in a
-/// folder that does not exist or takes no new files, or, without `force`, the input itself.
+/// folder that does not exist or takes no new files, or, unless `force` is given, the input itself.
 [[nodiscard]] Result<void> expect_writable(std::string_view option,
                                            const std::filesystem::path& output,
-                                           const std::filesystem::path& input, bool force);
+                                           const std::filesystem::path& input, Force force);
 
 }  // namespace suture::cli

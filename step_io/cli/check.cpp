@@ -44,10 +44,14 @@ Result<void> take_limit(std::string_view option, const std::optional<double>& gi
     return expect_positive(option, *given);
 }
 
+bool is_file(const std::filesystem::path& profile) {
+    return profile.extension() == ".json";
+}
+
 Result<void> choose_profile(CheckOptions& options) {
-    const std::filesystem::path file(options.profile_name);
-    const Result<Profile> named =
-        file.extension() == ".json" ? read_profile(file) : find_profile(options.profile_name);
+    const Result<Profile> named = is_file(options.profile_name)
+                                      ? read_profile(options.profile_name)
+                                      : find_profile(options.profile_name);
     if (!named) {
         return tl::unexpected(named.error());
     }
@@ -66,7 +70,10 @@ Result<void> choose_profile(CheckOptions& options) {
     return {};
 }
 
-Result<void> validate(CheckOptions& options) {
+Result<void> validate(Command& command, CheckOptions& options) {
+    if (is_file(options.profile_name)) {
+        command.more_inputs = {options.profile_name};
+    }
     if (!options.edge_list.empty()) {
         Result<std::vector<int>> edges = parse_edges(options.edge_list);
         if (!edges) {
@@ -77,8 +84,12 @@ Result<void> validate(CheckOptions& options) {
     if (auto slack = expect_positive("--slack", options.slack); !slack) {
         return slack;
     }
-    const Result<void> profile = choose_profile(options);
-    return profile ? validate_sewing(options.load) : profile;
+    if (!is_file(options.profile_name)) {
+        if (auto profile = choose_profile(options); !profile) {
+            return profile;
+        }
+    }
+    return validate_sewing(options.load);
 }
 
 Result<Outcome> check(Run& run, const Command& command, const CheckOptions& options) {
@@ -158,10 +169,17 @@ std::shared_ptr<Command> add_check(CLI::App& app) {
     command->common.report_endings = {".html", ".json", ".csv", ".xml"};
     add_reports(*command);
     add_picture(*command);
-    command->validate = [options] { return validate(*options); };
-    const Command* self = command.get();
     add_batch_options(*command->app, false);
-    command->run = [options, self](Run& run) { return check(run, *self, *options); };
+    Command* self = command.get();
+    command->validate = [options, self] { return validate(*self, *options); };
+    command->run = [options, self](Run& run) -> Result<Outcome> {
+        if (is_file(options->profile_name)) {
+            if (auto profile = choose_profile(*options); !profile) {
+                return tl::unexpected(profile.error());
+            }
+        }
+        return check(run, *self, *options);
+    };
     return command;
 }
 

@@ -1,5 +1,7 @@
 #include "cli/command.h"
 
+#include "suture/base/text.h"
+
 #include <fmt/format.h>
 
 namespace suture::cli {
@@ -25,11 +27,11 @@ std::string text_of(const Outcome& outcome) {
                                 rows.size() - kTerminalRows);
         }
         for (const std::string& note : section.notes) {
-            text += "  " + note + '\n';
+            text += "  " + visible(note) + '\n';
         }
         text += '\n';
     }
-    return text + outcome.verdict + '\n';
+    return text + visible(outcome.verdict) + '\n';
 }
 
 Progress Run::stage(Stage stage, std::string what, double from, double to) {

@@ -15,6 +15,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <stop_token>
 #include <string>
 #include <vector>
@@ -67,11 +68,16 @@ class Run {
 
     [[nodiscard]] ProgressDisplay& display() { return display_; }
 
+    /// Parts of the model that lie in other files and could not be read.
+    void lack(std::vector<std::string> parts) { missing_parts_ = std::move(parts); }
+    [[nodiscard]] const std::vector<std::string>& missing_parts() const { return missing_parts_; }
+
   private:
     StageLine line_;
     std::stop_token cancel_;
     ProgressDisplay display_;
     std::array<double, 2> window_ = {0.0, 1.0};
+    std::vector<std::string> missing_parts_;
 };
 
 /// Options that every command has.
@@ -79,7 +85,10 @@ struct CommonOptions {
     bool json = false;
     bool verbose = false;
     ProgressStyle progress = ProgressStyle::Auto;
-    double read_timeout = 300.0;  ///< seconds
+    double read_timeout = 300.0;   ///< seconds
+    double timeout = 7200.0;       ///< seconds, for the whole run
+    std::optional<double> memory;  ///< GB; none: from the machine
+    bool external_references = true;
     std::vector<std::filesystem::path> reports;
     std::vector<std::string> report_endings = {".html", ".json"};
     std::filesystem::path picture;  ///< of the model, drawn from the HTML report
@@ -93,7 +102,8 @@ struct Command {
     CLI::App* app = nullptr;
     CommonOptions common;
     std::filesystem::path input;
-    std::vector<std::filesystem::path> outputs;  ///< known after validate
+    std::vector<std::filesystem::path> more_inputs;  ///< known after validate
+    std::vector<std::filesystem::path> outputs;      ///< known after validate
     bool one_output = false;  ///< outputs has just the file that the user asked for
     std::function<Result<void>()> validate;
     std::function<Result<Outcome>(Run&)> run;

@@ -1,8 +1,11 @@
 #include "cli/console.h"
 
+#include "suture/base/text.h"
+
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
+#include <spdlog/pattern_formatter.h>
 #include <spdlog/sinks/stdout_sinks.h>
 #include <spdlog/spdlog.h>
 #include <sys/ioctl.h>
@@ -38,13 +41,26 @@ int write_all(int file, std::string_view text) {
 }
 
 void print_line(std::string_view prefix, std::string_view message) {
-    std::string line = fmt::format("{}{}", prefix, message);
+    constexpr std::size_t kLongestLine = 300;
+    std::string text(message);
     std::replace_if(
-        line.begin(), line.end(),
-        [](char c) { return static_cast<unsigned char>(c) < ' ' || c == '\x7f'; }, ' ');
-    line += '\n';
-    write_all(STDERR_FILENO, line);
+        text.begin(), text.end(), [](char c) { return c == '\n' || c == '\r' || c == '\t'; }, ' ');
+    write_all(STDERR_FILENO,
+              shortened(fmt::format("{}{}", prefix, visible(text)), kLongestLine) + '\n');
 }
+
+/// What the log says, made visible like everything else.
+class VisiblePayload : public spdlog::custom_flag_formatter {
+  public:
+    void format(const spdlog::details::log_msg& message, const std::tm& /*time*/,
+                spdlog::memory_buf_t& to) override {
+        const std::string text = visible({message.payload.data(), message.payload.size()});
+        to.append(text.data(), text.data() + text.size());
+    }
+    [[nodiscard]] std::unique_ptr<custom_flag_formatter> clone() const override {
+        return std::make_unique<VisiblePayload>();
+    }
+};
 
 int terminal_width() {
     winsize size{};
@@ -126,9 +142,9 @@ void ProgressDisplay::draw(double fraction, std::string_view stage) {
     }
     const int filled = static_cast<int>(fraction * kBarWidth);
     const std::string bar(static_cast<std::size_t>(filled), '#');
-    std::string line =
-        fmt::format("[{:-<{}}] {:3.0f} %  {}", bar, kBarWidth, 100.0 * fraction, stage);
-    line.resize(std::min(line.size(), static_cast<std::size_t>(terminal_width() - 1)));
+    std::string line = shortened(
+        fmt::format("[{:-<{}}] {:3.0f} %  {}", bar, kBarWidth, 100.0 * fraction, visible(stage)),
+        static_cast<std::size_t>(std::max(1, terminal_width() - 1)));
     write_all(STDERR_FILENO, std::string(kEraseLine) + line);
     visible_ = true;
 }
@@ -144,7 +160,10 @@ void ProgressDisplay::clear() {
 void set_up_log(bool verbose) {
     auto logger = spdlog::stderr_logger_mt("suture");
     const bool terminal = isatty(STDERR_FILENO) != 0;
-    logger->set_pattern((terminal ? std::string(kEraseLine) : std::string()) + "%l: %v");
+    auto formatter = std::make_unique<spdlog::pattern_formatter>();
+    formatter->add_flag<VisiblePayload>('*').set_pattern(
+        (terminal ? std::string(kEraseLine) : std::string()) + "%l: %*");
+    logger->set_formatter(std::move(formatter));
     logger->set_level(verbose ? spdlog::level::debug : spdlog::level::warn);
     logger->flush_on(spdlog::level::debug);
     spdlog::set_default_logger(std::move(logger));

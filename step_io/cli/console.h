@@ -10,7 +10,8 @@
 
 namespace suture::cli {
 
-/// One line on stderr: "error: ...". Control characters of file names do not get through.
+/// One line of at most 300 letters on stderr: "error: ...". What would steer the terminal is made
+/// visible; what is left out of a longer one stands in the JSON document.
 void print_error(std::string_view message);
 void print_warning(std::string_view message);
 

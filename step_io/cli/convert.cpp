@@ -8,7 +8,6 @@
 #include "files/losses.h"
 
 #include <fmt/format.h>
-#include <spdlog/spdlog.h>
 
 namespace suture::cli {
 namespace {
@@ -47,7 +46,7 @@ Result<void> validate(Command& command, ConvertOptions& options) {
     }
     for (const auto& result :
          {validate_mesh(options.mesh), validate_sewing(options.load),
-          expect_writable("OUT", options.output, command.input, options.force)}) {
+          expect_writable("OUT", options.output, command.input, force_of(options.force))}) {
         if (!result) {
             return result;
         }
@@ -71,7 +70,7 @@ Result<Outcome> convert(Run& run, const Command& command, const ConvertOptions& 
     }
     const std::vector<std::string> lost = io::lost_in(model->file, options.format);
     for (const std::string& loss : lost) {
-        spdlog::warn("{}", loss);
+        print_warning(loss);
     }
     Outcome outcome;
     outcome.verdict =

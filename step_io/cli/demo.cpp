@@ -178,7 +178,7 @@ Result<void> validate(Command& command, const fs::path& out) {
     }
     // A stopped run leaves its temporaries beside this one.
     command.outputs = {out / "report.html"};
-    return expect_writable("--out", command.outputs.front(), {}, /*force=*/false);
+    return expect_writable("--out", command.outputs.front(), {}, Force::NotOffered);
 }
 
 }  // namespace

@@ -46,7 +46,7 @@ struct FillOptions {
     std::string prefer = "tight";
     std::filesystem::path through;
     std::string through_edges;
-    std::optional<double> tolerance, angle, curvature, timeout;
+    std::optional<double> tolerance, angle, curvature, occt_timeout;
     MeshSettings mesh;
     std::optional<int> jobs;
     bool all_loops = false;
@@ -132,7 +132,8 @@ Result<void> take_limits(const FillOptions& options, FillRequest& request) {
           take_positive("--tolerance", options.tolerance, 1.0, request.tolerance.linear),
           take_positive("--angle", options.angle, kPi / 180.0, request.tolerance.angular),
           take_positive("--curvature", options.curvature, 0.01, request.tolerance.curvature),
-          take_positive("--timeout", options.timeout, 1.0, timeout), validate(request.tolerance)}) {
+          take_positive("--occt-timeout", options.occt_timeout, 1.0, timeout),
+          validate(request.tolerance)}) {
         if (!result) {
             return result;
         }
@@ -149,9 +150,7 @@ Result<void> validate_fill(Command& command, FillOptions& options) {
         return format;
     }
     if (!options.through.empty()) {
-        if (auto points = take(read_points(options.through), settings.request.through); !points) {
-            return points;
-        }
+        command.more_inputs = {options.through};
     }
     if (!options.through_edges.empty()) {
         if (auto edges = take(parse_edges(options.through_edges), settings.through_edges); !edges) {
@@ -162,7 +161,7 @@ Result<void> validate_fill(Command& command, FillOptions& options) {
          {take_wishes(options, settings.request), take_limits(options, settings.request),
           take_own(options, settings.request), validate_sewing(settings.load),
           validate_mesh(options.mesh),
-          expect_writable("-o", options.output, command.input, options.force)}) {
+          expect_writable("-o", options.output, command.input, force_of(options.force))}) {
         if (!result) {
             return result;
         }
@@ -226,7 +225,7 @@ void add_wishes(CLI::App& app, FillOptions& options) {
                    "Method occt: OCCT's default settings, or better ones")
         ->check(CLI::IsMember({"default", "tuned"}))
         ->option_text("default|tuned");
-    app.add_option("--timeout", options.timeout,
+    app.add_option("--occt-timeout", options.occt_timeout,
                    "Method occt: give up a hole after so many seconds (default 120)")
         ->option_text("SECONDS");
     app.add_flag("--keep-bad", options.keep_bad,
@@ -260,6 +259,13 @@ std::shared_ptr<Command> add_fill(CLI::App& app) {
         if (options->jobs) {
             threads.emplace(tbb::global_control::max_allowed_parallelism,
                             static_cast<std::size_t>(*options->jobs));
+        }
+        if (!options->through.empty()) {
+            if (auto points =
+                    take(read_points(options->through), options->settings.request.through);
+                !points) {
+                return tl::unexpected(points.error());
+            }
         }
         Result<FillSummary> filled = fill_model(run, options->settings);
         if (!filled) {

@@ -3,7 +3,6 @@
 #include "cli/choose_holes.h"
 #include "cli/remeasure.h"
 #include "cli/reread.h"
-#include "files/read.h"
 #include "files/stated_accuracy.h"
 #include "suture/flow/compute.h"
 #include "suture/flow/plan.h"
@@ -34,11 +33,6 @@ constexpr double kFound = 0.3;
 constexpr double kFilled = 0.7;
 constexpr double kWritten = 0.8;
 constexpr double kReread = 0.95;
-
-bool is_mesh(io::Format format) {
-    return format == io::Format::Stl || format == io::Format::Off || format == io::Format::Obj ||
-           format == io::Format::ThreeMf;
-}
 
 /// Points of edges at equal parameters, ends included: as many as bend a face along them.
 Result<std::vector<Eigen::Vector3d>> points_on_edges(const TopoDS_Shape& model,
@@ -288,7 +282,7 @@ class FillJob {
             auto report = memory.begin();
             for_each_hole([&](HoleReport& hole) { hole = *report++; });
             model_.file.precision = accuracy;
-            return write().and_then([&] { return measure(); }).map([&] {
+            return write().map([&] {
                 std::vector<HoleReport> file;
                 for_each_hole([&](const HoleReport& hole) { file.push_back(hole); });
                 return lost_by_writing(memory, file);
@@ -325,26 +319,32 @@ class FillJob {
         }
     }
 
+    /// Measures what is written before it takes the place of an old output.
     Result<void> write() {
         const Stopwatch watch;
+        const double checked_before = summary_.seconds.check;
         const Progress progress = run_.stage(
             Stage::Writing, "writing " + settings_.output.filename().string(), kFilled, kWritten);
         // OCCT writes and reads on one core: the others look at the shape meanwhile, once.
         if (!std::exchange(looking_, true) &&
-            (settings_.format == io::Format::Step || is_mesh(settings_.format))) {
+            (settings_.format == io::Format::Step || io::is_mesh(settings_.format))) {
             validity_.run(
                 [&] { in_memory_ = measure_validity(model_.file.shape(), ValidityDepth::Valid); });
         }
-        auto written = io::write_model(model_.file, settings_.output, settings_.format,
-                                       settings_.mesh, reread_->faces());
-        summary_.seconds.write += watch.seconds();
-        return std::move(written).map(
-            [&](std::vector<io::StepId>&& entities) { entities_ = std::move(entities); });
+        const auto written = io::write_model(
+            model_.file, settings_.output, settings_.format, settings_.mesh, reread_->faces(),
+            [&](const std::filesystem::path& file, const std::vector<io::StepId>& entities) {
+                return measure(file, entities);
+            });
+        summary_.seconds.write += watch.seconds() - (summary_.seconds.check - checked_before);
+        return written ? Result<void>() : tl::unexpected(written.error());
     }
 
-    Result<void> measure() {
+    /// Input  file, entities: as io::Verify has them.
+    Result<void> measure(const std::filesystem::path& file,
+                         const std::vector<io::StepId>& entities) {
         const Stopwatch watch;
-        const Result<TopoDS_Shape> shape = shape_to_measure();
+        const Result<TopoDS_Shape> shape = shape_to_measure(file, entities);
         if (!shape) {
             return tl::unexpected(shape.error());
         }
@@ -370,27 +370,25 @@ class FillJob {
     /// The output as the next program will read it: of STEP the new faces and what they meet, since
     /// reading a large file costs more than all the rest; the whole file where these cannot be told
     /// from it.
-    Result<TopoDS_Shape> shape_to_measure() {
-        if (is_mesh(settings_.format)) {
+    Result<TopoDS_Shape> shape_to_measure(const std::filesystem::path& file,
+                                          const std::vector<io::StepId>& entities) {
+        if (io::is_mesh(settings_.format)) {
             return model_.file.shape();
         }
         const Progress reading = run_.stage(
             Stage::Checking, "reading " + settings_.output.filename().string() + " again", kWritten,
             kReread);
         if (settings_.format == io::Format::Step && !reread_->faces().empty()) {
-            Result<TopoDS_Shape> faces = reread_->read(settings_.output, entities_, model_.file);
+            Result<TopoDS_Shape> faces = reread_->read(file, entities, model_.file);
             if (faces) {
                 summary_.measured_on = MeasuredOn::NewFaces;
                 return faces;
             }
             spdlog::info("reading the whole output again: {}", faces.error().message);
         }
-        const Result<io::ModelFile> again = io::read_model(settings_.output, reading);
+        const Result<io::ModelFile> again = io::read_again(file, settings_.output, reading);
         if (!again) {
-            return fail(again.error().code == ErrorCode::Cancelled ? ErrorCode::Cancelled
-                                                                   : ErrorCode::Internal,
-                        "{} was written but cannot be read again: {}", settings_.output.string(),
-                        again.error().message);
+            return tl::unexpected(again.error());
         }
         summary_.measured_on = MeasuredOn::File;
         return again->shape();
@@ -467,7 +465,6 @@ class FillJob {
     std::vector<PartRequest> requests_;
     std::vector<FilledPart> filled_;
     std::optional<RereadFaces> reread_;
-    std::vector<io::StepId> entities_;  ///< of its faces, in the output
     FillSummary summary_;
     bool looking_ = false;  ///< whether validity_ runs, or has run
     Validity in_memory_;

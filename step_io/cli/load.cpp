@@ -89,6 +89,7 @@ Result<LoadedModel> load_model(Run& run, const std::filesystem::path& file,
     }
     LoadedModel model;
     model.file = std::move(*read);
+    run.lack(model.file.missing_files);
     model.seconds_read = reading.seconds();
     for (const std::string& note : model.file.notes) {
         print_warning(note);

@@ -14,8 +14,11 @@
 #include "files/read.h"
 #include "suture/occ/guard.h"
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <spdlog/spdlog.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <Message.hxx>
@@ -136,15 +139,30 @@ int print_result(const ResultStream& out, std::string_view text, int code) {
     return code;
 }
 
+/// A model without some of its parts is not what the file describes.
+void lack(const std::vector<std::string>& parts, Outcome& outcome) {
+    if (parts.empty()) {
+        return;
+    }
+    outcome.verdict += fmt::format("; NOT whole: {} missing", fmt::join(parts, ", "));
+    outcome.document["missing_parts"] = parts;
+    if (outcome.exit_code == kDone || outcome.exit_code == kNothingToDo) {
+        outcome.exit_code = kOutOfTolerance;
+    }
+}
+
 /// The job: in the supervised process.
 int run_job(Command& command, const StageLine& line, std::stop_token cancel) {
     const ResultStream out(command.common.verbose);
     set_up_log(command.common.verbose);
     Run run(line, std::move(cancel), command.common.progress);
-    const Result<Outcome> outcome = run_command(command, run);
+    Result<Outcome> outcome = run_command(command, run);
     run.display().clear();
     if (!outcome && outcome.error().code == ErrorCode::Cancelled) {
         return kInterrupted;  // the supervisor knows why, and says it
+    }
+    if (outcome) {
+        lack(run.missing_parts(), *outcome);
     }
     if (!outcome) {
         return print_failure(command, outcome.error(), exit_code(outcome.error().code),
@@ -155,20 +173,41 @@ int run_job(Command& command, const StageLine& line, std::stop_token cancel) {
         outcome->exit_code);
 }
 
+/// Which file stands in the output's place, and since when; nothing where there is none.
+std::string identity_of_output(const Command& command) {
+    struct stat file {};
+    if (!command.one_output || stat(command.outputs.front().c_str(), &file) != 0) {
+        return "";
+    }
+    return fmt::format("{} {} {}.{}", file.st_dev, file.st_ino, file.st_mtim.tv_sec,
+                       file.st_mtim.tv_nsec);
+}
+
 /// Whether the output is there although the run did not come to its end.
-std::string what_is_written(const Command& command, const Ending& ending) {
+std::string what_is_written(const Command& command, const std::string& before) {
     if (!command.one_output) {
         return "";
     }
-    return ending.stage == Stage::Checking
-               ? fmt::format("; {} is written, but not measured", command.outputs.front().string())
-               : "; nothing was written";
+    return identity_of_output(command) == before
+               ? "; nothing was written"
+               : fmt::format("; {} is written", command.outputs.front().string());
+}
+
+constexpr double kGigabyte = 1e9;
+
+double gigabytes(std::uint64_t bytes) {
+    return static_cast<double>(bytes) / kGigabyte;
+}
+
+/// Bytes.
+std::uint64_t memory_limit(const Command& command) {
+    const std::optional<double>& given = command.common.memory;
+    return given ? static_cast<std::uint64_t>(*given * kGigabyte) : default_memory_limit();
 }
 
 /// What is said of a job that did not end by itself.
-Error error_of(const Command& command, const Ending& ending) {
+Error error_of(const Command& command, const Ending& ending, const std::string& written) {
     const std::string file = command.input.empty() ? "demo" : command.input.string();
-    const std::string written = what_is_written(command, ending);
     const bool reading = ending.stage == Stage::Reading;
     switch (ending.kind) {
         case Ending::Kind::Crashed:
@@ -181,6 +220,20 @@ Error error_of(const Command& command, const Ending& ending) {
             return {ErrorCode::Internal,
                     fmt::format("{}: the program crashed ({}) while {}{}", file,
                                 strsignal(ending.code), ending.what, written)};
+        case Ending::Kind::Killed:
+            return {ErrorCode::Internal,
+                    fmt::format("{}: the system ended the program (SIGKILL) while {}, as a rule "
+                                "because memory ran out: --memory sets a limit{}",
+                                file, ending.what, written)};
+        case Ending::Kind::OutOfMemory:
+            return {reading ? ErrorCode::Unreadable : ErrorCode::Internal,
+                    fmt::format("{}: {:.3g} GB of memory are not enough for {}; --memory gives "
+                                "more{}",
+                                file, gigabytes(memory_limit(command)), ending.what, written)};
+        case Ending::Kind::Timeout:
+            return {ErrorCode::Internal,
+                    fmt::format("{}: stopped after {:g} s while {}; --timeout gives more time{}",
+                                file, command.common.timeout, ending.what, written)};
         case Ending::Kind::ReadTimeout:
             return {ErrorCode::Unreadable,
                     fmt::format("{}: reading took longer than {:g} s; give it more time with "
@@ -188,7 +241,7 @@ Error error_of(const Command& command, const Ending& ending) {
                                 file, command.common.read_timeout)};
         case Ending::Kind::NotStarted:
             return {ErrorCode::Internal,
-                    fmt::format("the system gives no new process: {}", strsignal(ending.code))};
+                    fmt::format("the system gives no new process: {}", std::strerror(ending.code))};
         case Ending::Kind::Interrupted:
         case Ending::Kind::Exited:
             break;
@@ -206,17 +259,25 @@ void print_to_stdout(std::string_view text) {
     [[maybe_unused]] const ssize_t written = write(STDOUT_FILENO, text.data(), text.size());
 }
 
+std::chrono::milliseconds milliseconds(double seconds) {
+    return std::chrono::milliseconds(static_cast<std::int64_t>(std::ceil(1000.0 * seconds)));
+}
+
 int supervised(Command& command) {
-    const std::chrono::milliseconds read_limit(
-        static_cast<std::int64_t>(std::ceil(1000.0 * command.common.read_timeout)));
+    const JobLimits limits{milliseconds(command.common.read_timeout),
+                           milliseconds(command.common.timeout), memory_limit(command)};
     const auto job = [&](const StageLine& line, std::stop_token cancel) {
         return run_job(command, line, std::move(cancel));
     };
-    Ending ending = supervise(read_limit, job);
+    if (!command.common.external_references) {
+        io::close_external_references();
+    }
+    const std::string output_before = identity_of_output(command);
+    Ending ending = supervise(limits, job);
     if (ending.kind == Ending::Kind::Crashed && ending.stage == Stage::Reading &&
         is_step(command.input)) {
         io::forget_face_names();
-        ending = supervise(read_limit, job);
+        ending = supervise(limits, job);
     }
     if (ending.kind == Ending::Kind::Exited) {
         return ending.code;
@@ -227,7 +288,7 @@ int supervised(Command& command) {
     for (const auto& report : command.common.reports) {
         remove_temporaries(report, ending.process);
     }
-    const Error error = error_of(command, ending);
+    const Error error = error_of(command, ending, what_is_written(command, output_before));
     constexpr int kSignalBase = 128;  // as shells have it
     const int code = ending.kind == Ending::Kind::Interrupted ? kSignalBase + ending.code
                                                               : exit_code(error.code);
@@ -332,7 +393,21 @@ int run_program(std::vector<std::string> words) {
 }  // namespace
 }  // namespace suture::cli
 
+namespace {
+
+/// A file that is opened later must not take the place of stdout or stderr.
+void open_missing_streams() {
+    for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+        if (fcntl(stream, F_GETFD) < 0) {
+            std::ignore = open("/dev/null", O_RDWR);  // takes the lowest number that is free
+        }
+    }
+}
+
+}  // namespace
+
 int main(int argc, char** argv) {
+    open_missing_streams();
     const std::vector<std::string> words(argv + std::min(1, argc), argv + argc);
     return suture::cli::run_program(words);
 }

@@ -68,6 +68,15 @@ std::shared_ptr<Command> add_command(CLI::App& app, const std::string& name,
         ->option_text("STYLE");
     command->app->add_flag("-v,--verbose", common.verbose,
                            "Say on stderr what is being done, OCCT's own messages included");
+    command->app
+        ->add_option("--timeout", common.timeout,
+                     "Give up the whole run after so many seconds (default 7200)")
+        ->option_text("SECONDS");
+    command->app
+        ->add_option("--memory", common.memory,
+                     "Give up where more memory is needed (default: three quarters of the "
+                     "machine's)")
+        ->option_text("GB");
     command->validate = [] { return Result<void>(); };
     return command;
 }
@@ -82,6 +91,16 @@ void add_input(Command& command) {
         ->add_option("--read-timeout", command.common.read_timeout,
                      "Give up reading a file after so many seconds (default 300)")
         ->option_text("SECONDS");
+    command.app
+        ->add_option_function<std::string>(
+            "--external-references",
+            [&follow = command.common.external_references](const std::string& word) {
+                follow = word == "yes";
+            },
+            "Whether to read the other STEP files that the model names as its parts, where they "
+            "stand in its folder or below: yes (default) or no")
+        ->check(CLI::IsMember({"yes", "no"}))
+        ->option_text("yes|no");
 }
 
 void add_reports(Command& command) {
@@ -161,7 +180,7 @@ Result<void> validate_picture(const Command& command) {
         return fail(ErrorCode::Usage,
                     "--picture needs a browser: install chromium, or name one in SUTURE_BROWSER");
     }
-    return expect_writable("--picture", common.picture, command.input, /*force=*/false);
+    return expect_writable("--picture", common.picture, command.input, Force::NotOffered);
 }
 
 }  // namespace
@@ -200,9 +219,18 @@ Result<io::Format> take_output(Command& command, const std::filesystem::path& ou
 }
 
 Result<void> validate_common(const Command& command) {
-    Result<void> positive = expect_positive("--read-timeout", command.common.read_timeout);
-    if (!positive) {
-        return positive;
+    constexpr double kLongest = 1e8;  // seconds: three years, and no overflow anywhere
+    const std::initializer_list<std::pair<const char*, double>> limits = {
+        {"--read-timeout", command.common.read_timeout},
+        {"--timeout", command.common.timeout},
+        {"--memory", command.common.memory.value_or(1.0)}};
+    for (const auto& [option, value] : limits) {
+        if (Result<void> positive = expect_positive(option, value); !positive) {
+            return positive;
+        }
+        if (value > kLongest) {
+            return fail(ErrorCode::Usage, "{} is at most {:g}, not {:g}", option, kLongest, value);
+        }
     }
     if (Result<void> picture = validate_picture(command); !picture) {
         return picture;
@@ -214,7 +242,7 @@ Result<void> validate_common(const Command& command) {
             return fail(ErrorCode::Usage, "--report {}: give it one of the endings {}",
                         report.string(), fmt::join(endings, ", "));
         }
-        auto writable = expect_writable("--report", report, command.input, /*force=*/false);
+        auto writable = expect_writable("--report", report, command.input, Force::NotOffered);
         if (!writable) {
             return writable;
         }

@@ -65,7 +65,7 @@ Result<void> validate(Command& command, PatchOptions& options) {
     if (options.exact && options.k > kMostExactOrder) {
         return fail(ErrorCode::Usage, "--exact is for --k 0 and 1, not {}", options.k);
     }
-    return expect_writable("-o", options.output, command.input, options.force);
+    return expect_writable("-o", options.output, command.input, force_of(options.force));
 }
 
 Result<Outcome> patch(Run& run, const Command& command, const PatchOptions& options) {

@@ -1,7 +1,8 @@
 #include "cli/points_file.h"
 
+#include "files/file_bytes.h"
+
 #include <cmath>
-#include <fstream>
 #include <optional>
 #include <sstream>
 #include <string>
@@ -28,14 +29,22 @@ std::optional<Eigen::Vector3d> point_of(std::string line) {
 }  // namespace
 
 Result<std::vector<Eigen::Vector3d>> read_points(const std::filesystem::path& file) {
-    std::ifstream stream(file);
-    if (!stream || std::filesystem::is_directory(file)) {
-        return fail(ErrorCode::Usage, "--through: {} cannot be read", file.string());
+    constexpr std::size_t kMostBytes = 64 << 20;
+    constexpr std::size_t kLongestLine = 1000;
+    const Result<std::string> bytes = io::read_bytes(file, kMostBytes);
+    if (!bytes) {
+        return fail(ErrorCode::Usage, "--through: {}", bytes.error().message);
     }
+    std::istringstream stream(*bytes);
     std::vector<Eigen::Vector3d> points;
     std::string line;
     bool titles = false;
     for (int number = 1; std::getline(stream, line); ++number) {
+        if (line.size() > kLongestLine) {
+            return fail(ErrorCode::Usage,
+                        "--through: line {} of {} has {} characters, more than {}", number,
+                        file.string(), line.size(), kLongestLine);
+        }
         const std::size_t first = line.find_first_not_of(" \t\r");
         if (first == line.npos || line[first] == '#') {
             continue;

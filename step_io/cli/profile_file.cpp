@@ -1,15 +1,14 @@
 #include "cli/profile_file.h"
 
-#include <nlohmann/json.hpp>
+#include "cli/json_file.h"
 
-#include <fstream>
 #include <functional>
 #include <map>
 
 namespace suture::cli {
 namespace {
 
-using nlohmann::json;
+using json = nlohmann::ordered_json;
 
 /// Sets what a key stands for; false if the value is of the wrong kind.
 using Setter = std::function<bool(const json&)>;
@@ -52,11 +51,11 @@ Result<Profile> read_profile(const std::filesystem::path& file) {
     const auto refuse = [&](std::string_view why) {
         return fail(ErrorCode::Usage, "--profile {}: {}", file.string(), why);
     };
-    std::ifstream stream(file);
-    if (!stream) {
-        return refuse("the file cannot be read");
+    const Result<json> read = read_json(file);
+    if (!read) {
+        return fail(ErrorCode::Usage, "--profile: {}", read.error().message);
     }
-    const json document = json::parse(stream, nullptr, /*allow_exceptions=*/false);
+    const json& document = *read;
     if (!document.is_object()) {
         return refuse("it is no JSON object");
     }

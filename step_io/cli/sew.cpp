@@ -42,7 +42,7 @@ Result<void> validate(Command& command, SewOptions& options) {
     options.format = *format;
     for (const auto& result :
          {validate_sewing(options.load),
-          expect_writable("--output", options.output, command.input, options.force)}) {
+          expect_writable("--output", options.output, command.input, force_of(options.force))}) {
         if (!result) {
             return result;
         }

@@ -5,6 +5,7 @@
 #include <fcntl.h>
 #include <poll.h>
 #include <sys/prctl.h>
+#include <sys/resource.h>
 #include <sys/signalfd.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -13,7 +14,12 @@
 #include <array>
 #include <cerrno>
 #include <csignal>
+#include <cstdlib>
+#include <exception>
+#include <fstream>
+#include <new>
 #include <optional>
+#include <system_error>
 #include <thread>
 
 namespace suture::cli {
@@ -26,7 +32,14 @@ constexpr std::chrono::milliseconds kGrace{1500};
 
 /// A message is its stage, its text and this; one write of less than PIPE_BUF bytes is atomic.
 constexpr char kEndOfMessage = '\n';
+constexpr char kNoMemory = '!';  ///< in the place of the stage
 constexpr std::size_t kLongestText = 400;
+
+/// The exit code of a job that got no thread: none of its own.
+constexpr int kNoThread = 77;
+
+/// In the job's process: for what has no other way to it.
+const StageLine* job_line = nullptr;
 
 sigset_t set_of(std::initializer_list<int> signals) {
     sigset_t set;
@@ -48,7 +61,43 @@ void listen_for_stop(std::stop_source& source) {
     }).detach();
 }
 
-[[noreturn]] void be_the_job(pid_t supervisor, int line, const Job& job) {
+void limit(decltype(RLIMIT_AS) what, std::uint64_t most) {
+    rlimit now{};
+    if (getrlimit(what, &now) == 0) {
+        now.rlim_max = std::min<rlim_t>(now.rlim_max, most);
+        now.rlim_cur = std::min(now.rlim_cur, now.rlim_max);
+        setrlimit(what, &now);
+    }
+}
+
+void obey(const JobLimits& limits) {
+    constexpr std::uint64_t kFiles = 1024;
+    limit(RLIMIT_CORE, 0);
+    limit(RLIMIT_NOFILE, kFiles);
+    const auto seconds = std::chrono::ceil<std::chrono::seconds>(limits.whole).count();
+    limit(RLIMIT_CPU, static_cast<std::uint64_t>(seconds + 1) *
+                          std::max(1U, std::thread::hardware_concurrency()));
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+    if (limits.memory > 0) {  // the sanitizers' shadow takes terabytes of addresses
+        limit(RLIMIT_AS, limits.memory);
+    }
+#endif
+}
+
+/// What every other allocation comes to when there is no memory left.
+void say_and_give_up() {
+    job_line->lack_memory();
+    throw std::bad_alloc();
+}
+
+/// An exception in a thread that nobody waits for: no memory, or no thread. Without a core file and
+/// without libstdc++'s lines on stderr.
+[[noreturn]] void end_by_abort() {
+    std::signal(SIGABRT, SIG_DFL);
+    std::abort();
+}
+
+[[noreturn]] void be_the_job(pid_t supervisor, int line, const JobLimits& limits, const Job& job) {
     setpgid(0, 0);
     prctl(PR_SET_PDEATHSIG, SIGKILL);
     if (getppid() != supervisor) {
@@ -57,25 +106,38 @@ void listen_for_stop(std::stop_source& source) {
     std::signal(SIGTTOU, SIG_IGN);  // a group in the background may write to its terminal
     const sigset_t handled = set_of({SIGCHLD, SIGTSTP});
     sigprocmask(SIG_UNBLOCK, &handled, nullptr);
+    static const StageLine to_supervisor(line);
+    job_line = &to_supervisor;
+    std::set_new_handler(say_and_give_up);
+    std::set_terminate(end_by_abort);
+    obey(limits);
     static std::stop_source source;
-    listen_for_stop(source);
-    const int code = job(StageLine(line), source.get_token());
+    try {
+        listen_for_stop(source);
+    } catch (const std::system_error& error) {
+        _exit(kNoThread);
+    }
+    const int code = job(to_supervisor, source.get_token());
     _exit(code);  // OCCT's static objects need no destruction, and theirs has crashed before
 }
 
 /// The supervisor's side.
 class Supervisor {
   public:
-    Supervisor(pid_t job, int line, int signals, std::chrono::milliseconds read_limit)
-        : job_(job), line_(line), signals_(signals), read_limit_(read_limit) {}
+    Supervisor(pid_t job, int line, int signals, const JobLimits& limits)
+        : job_(job),
+          line_(line),
+          signals_(signals),
+          limits_(limits),
+          end_(Clock::now() + limits.whole) {}
 
     Ending watch() {
         while (!ended()) {
             wait_for_news();
-            if (deadline_ && Clock::now() >= *deadline_) {
+            if (Clock::now() >= next_deadline()) {
                 timed_out_ = !stop_signal_;
+                killed_ = true;
                 kill(-job_, SIGKILL);
-                deadline_.reset();
             }
         }
         read_messages();
@@ -92,15 +154,27 @@ class Supervisor {
         return info.si_pid == job_;
     }
 
+    /// Of the grace period, or else of the stage or the whole; none once the job is killed.
+    [[nodiscard]] Clock::time_point next_deadline() const {
+        if (killed_) {
+            return Clock::time_point::max();
+        }
+        if (stop_signal_) {
+            return *deadline_;
+        }
+        return deadline_ ? std::min(*deadline_, end_) : end_;
+    }
+
     void wait_for_news() {
         std::array<pollfd, 2> files{{{line_open_ ? line_ : -1, POLLIN, 0}, {signals_, POLLIN, 0}}};
-        int timeout = -1;
-        if (deadline_) {
-            const auto left =
-                std::chrono::ceil<std::chrono::milliseconds>(*deadline_ - Clock::now());
-            timeout = std::max(0, static_cast<int>(left.count()));
-        }
-        if (poll(files.data(), files.size(), timeout) <= 0) {
+        constexpr std::chrono::milliseconds kLongest{1000};  // should a signal get lost
+        const Clock::time_point deadline = next_deadline();
+        const auto left =
+            deadline == Clock::time_point::max()
+                ? kLongest
+                : std::chrono::ceil<std::chrono::milliseconds>(deadline - Clock::now());
+        const auto timeout = std::clamp(left, std::chrono::milliseconds{0}, kLongest);
+        if (poll(files.data(), files.size(), static_cast<int>(timeout.count())) <= 0) {
             return;
         }
         if (files[0].revents != 0) {
@@ -127,6 +201,9 @@ class Supervisor {
     void take(char c) {
         if (c != kEndOfMessage) {
             message_ += c;
+        } else if (message_ == std::string(1, kNoMemory)) {
+            lacks_memory_ = true;
+            message_.clear();
         } else if (!message_.empty()) {
             enter(static_cast<Stage>(message_[0] - 'a'), message_.substr(1));
             message_.clear();
@@ -143,7 +220,7 @@ class Supervisor {
         if (stage != Stage::Reading) {
             deadline_.reset();
         } else if (!was_reading) {
-            deadline_ = Clock::now() + read_limit_;
+            deadline_ = Clock::now() + limits_.reading;
         }
     }
 
@@ -170,8 +247,10 @@ class Supervisor {
         kill(-job_, SIGSTOP);
         raise(SIGSTOP);
         kill(-job_, SIGCONT);
+        const auto pause = Clock::now() - before;
+        end_ += pause;
         if (deadline_) {
-            *deadline_ += Clock::now() - before;
+            *deadline_ += pause;
         }
     }
 
@@ -179,12 +258,20 @@ class Supervisor {
         Ending ending{Ending::Kind::Exited, 0, stage_, what_, job_};
         if (WIFEXITED(status)) {
             ending.code = WEXITSTATUS(status);
+            if (ending.code == kNoThread) {
+                ending.kind = Ending::Kind::NotStarted;
+                ending.code = EAGAIN;
+            }
         } else {
-            ending.kind = Ending::Kind::Crashed;
             ending.code = WTERMSIG(status);
+            ending.kind = ending.code == SIGKILL   ? Ending::Kind::Killed
+                          : lacks_memory_          ? Ending::Kind::OutOfMemory
+                          : ending.code == SIGXCPU ? Ending::Kind::Timeout
+                                                   : Ending::Kind::Crashed;
         }
         if (timed_out_) {
-            ending.kind = Ending::Kind::ReadTimeout;
+            const bool reading = deadline_ && *deadline_ <= end_;
+            ending.kind = reading ? Ending::Kind::ReadTimeout : Ending::Kind::Timeout;
         } else if (stop_signal_ && (!WIFEXITED(status) || ending.code == kInterrupted)) {
             ending.kind = Ending::Kind::Interrupted;
             ending.code = *stop_signal_;
@@ -195,9 +282,12 @@ class Supervisor {
     pid_t job_;
     int line_;
     int signals_;
-    std::chrono::milliseconds read_limit_;
+    JobLimits limits_;
+    Clock::time_point end_;
     bool line_open_ = true;
     bool timed_out_ = false;
+    bool killed_ = false;  ///< by us
+    bool lacks_memory_ = false;
     std::optional<int> stop_signal_;
     std::optional<Clock::time_point> deadline_;
     std::string message_;
@@ -220,7 +310,25 @@ void StageLine::enter(Stage stage, std::string_view what) const {
     [[maybe_unused]] const ssize_t written = write(file_, message.data(), message.size());
 }
 
-Ending supervise(std::chrono::milliseconds read_limit, const Job& job) {
+void StageLine::lack_memory() const {
+    constexpr std::array<char, 2> message{kNoMemory, kEndOfMessage};
+    [[maybe_unused]] const ssize_t written = write(file_, message.data(), message.size());
+}
+
+std::uint64_t default_memory_limit() {
+    std::uint64_t most = static_cast<std::uint64_t>(sysconf(_SC_PHYS_PAGES)) *
+                         static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE));
+    for (const char* file :
+         {"/sys/fs/cgroup/memory.max", "/sys/fs/cgroup/memory/memory.limit_in_bytes"}) {
+        std::uint64_t allowed = 0;
+        if (std::ifstream(file) >> allowed && allowed > 0) {
+            most = std::min(most, allowed);
+        }
+    }
+    return most / 4 * 3;
+}
+
+Ending supervise(const JobLimits& limits, const Job& job) {
     const sigset_t handled = set_of({SIGINT, SIGTERM, SIGHUP, SIGTSTP, SIGCHLD});
     sigset_t before;
     sigprocmask(SIG_BLOCK, &handled, &before);
@@ -238,11 +346,11 @@ Ending supervise(std::chrono::milliseconds read_limit, const Job& job) {
     if (child == 0) {
         close(line[0]);
         close(signals);
-        be_the_job(supervisor, line[1], job);
+        be_the_job(supervisor, line[1], limits, job);
     }
     setpgid(child, child);  // here as well, so that no signal can come before it
     close(line[1]);
-    Ending ending = Supervisor(child, line[0], signals, read_limit).watch();
+    Ending ending = Supervisor(child, line[0], signals, limits).watch();
     close(line[0]);
     close(signals);
     sigprocmask(SIG_SETMASK, &before, nullptr);

@@ -1,6 +1,7 @@
 #include "cli/table.h"
 
 #include "suture/base/contract.h"
+#include "suture/base/text.h"
 
 #include <fmt/format.h>
 
@@ -45,15 +46,19 @@ void Table::add(std::vector<std::string> row) {
 }
 
 std::string Table::text() const {
+    std::vector<std::vector<std::string>> rows = rows_;
+    for (std::vector<std::string>& row : rows) {
+        std::ranges::transform(row, row.begin(), visible);
+    }
     std::vector<std::size_t> widths;
     for (std::size_t i = 0; i < headings_.size(); ++i) {
         widths.push_back(width_of(headings_[i]));
-        for (const auto& row : rows_) {
+        for (const auto& row : rows) {
             widths[i] = std::max(widths[i], width_of(row[i]));
         }
     }
     std::string text = line_of(headings_, widths, right_);
-    for (const auto& row : rows_) {
+    for (const auto& row : rows) {
         text += line_of(row, widths, right_);
     }
     return text;

@@ -15,6 +15,7 @@ class Table {
     /// Refuses (ContractViolation) a row of another length than the headings.
     void add(std::vector<std::string> row);
     void keep_first(std::size_t rows) { rows_.resize(std::min(rows, rows_.size())); }
+    /// For a terminal: what a cell has from a file cannot steer it.
     [[nodiscard]] std::string text() const;
     [[nodiscard]] bool empty() const { return rows_.empty(); }
     [[nodiscard]] const std::vector<std::string>& headings() const { return headings_; }

@@ -71,6 +71,20 @@ class TemporaryFile : public std::streambuf {
             check(::rename(path_.c_str(), target.c_str()));
             named_ = error_ != 0;
         }
+        // Until the folder is on the disk, a power cut may bring the old name back.
+        const int folder = ::open(target.parent_path().c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+        if (folder >= 0) {
+            if (error_ == 0 && ::fsync(folder) != 0 && errno != EINVAL) {
+                error_ = errno;
+            }
+            ::close(folder);
+        }
+    }
+
+    /// Where the content can be read from while it has no place yet; all of it once flushed.
+    [[nodiscard]] fs::path readable() {
+        sync();
+        return named_ ? path_ : fs::path(fmt::format("/proc/self/fd/{}", file_));
     }
 
   private:
@@ -114,6 +128,12 @@ class TemporaryFile : public std::streambuf {
 Result<fs::path> target_of(const fs::path& file) {
     std::error_code error;
     fs::path target = fs::weakly_canonical(fs::absolute(file, error), error);
+    // A link whose target is missing stays a link, and its target is made.
+    constexpr int kMostLinks = 40;
+    std::error_code none;
+    for (int i = 0; i < kMostLinks && fs::is_symlink(target, none); ++i) {
+        target = fs::weakly_canonical(target.parent_path() / fs::read_symlink(target, none), none);
+    }
     if (error) {
         return fail(ErrorCode::WriteFailed, "{} cannot be written: {}", file.string(),
                     error.message());
@@ -141,7 +161,8 @@ Result<fs::path> target_of(const fs::path& file) {
 }  // namespace
 
 Result<void> write_atomically(const fs::path& file,
-                              const std::function<Result<void>(std::ostream&)>& content) {
+                              const std::function<Result<void>(std::ostream&)>& content,
+                              const std::function<Result<void>(const fs::path&)>& verify) {
     const Result<fs::path> target = target_of(file);
     if (!target) {
         return tl::unexpected(target.error());
@@ -151,6 +172,14 @@ Result<void> write_atomically(const fs::path& file,
         std::ostream stream(&temporary);
         if (Result<void> done = content(stream); !done && temporary.error() == 0) {
             return done;
+        }
+        if (verify) {
+            const fs::path written = temporary.readable();
+            if (temporary.error() == 0) {
+                if (Result<void> good = verify(written); !good) {
+                    return good;
+                }
+            }
         }
         temporary.move_to(*target);
     }

@@ -56,9 +56,14 @@ Result<std::string> read_some(OpenFile& file, const fs::path& path, std::size_t 
 
 }  // namespace
 
-Result<std::string> read_bytes(const fs::path& file) {
-    return open_file(file).and_then(
-        [&](OpenFile opened) { return read_some(opened, file, opened.size, 0); });
+Result<std::string> read_bytes(const fs::path& file, std::size_t most) {
+    return open_file(file).and_then([&](OpenFile opened) -> Result<std::string> {
+        if (opened.size > most) {
+            return fail(ErrorCode::Unreadable, "{} has {} bytes, more than the {} allowed",
+                        file.string(), opened.size, most);
+        }
+        return read_some(opened, file, opened.size, 0);
+    });
 }
 
 Result<std::string> read_ends(const fs::path& file, std::size_t ends) {

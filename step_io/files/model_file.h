@@ -43,7 +43,7 @@ struct ModelFile {
     double precision = 0.0;   ///< the file's own accuracy in millimetres, 0 if it states none
     Origin origin;
     std::vector<std::string> notes;          ///< what reading had to leave out, a sentence each
-    std::vector<std::string> missing_files;  ///< STEP: files of parts that are not there
+    std::vector<std::string> missing_files;  ///< STEP: files of parts that are not read
 
     /// Every part that has a face, each once, in the order of the assembly tree.
     [[nodiscard]] std::vector<Part> parts() const;

@@ -2,6 +2,7 @@
 
 #include "files/bad_faces.h"
 #include "files/brep.h"
+#include "files/check_numbers.h"
 #include "files/document.h"
 #include "files/file_bytes.h"
 #include "files/join_bodies.h"
@@ -18,6 +19,7 @@ namespace suture::io {
 namespace {
 
 bool keep_face_names = true;
+bool follow_external_references = true;
 
 Result<void> read_brep(ModelFile& model, const std::string& bytes) {
     const Result<TopoDS_Shape> shape = model.format == Format::BrepText
@@ -34,7 +36,7 @@ Result<void> read_brep(ModelFile& model, const std::string& bytes) {
 Result<void> read_into(ModelFile& model, const std::string& bytes, const Progress& progress) {
     switch (model.format) {
         case Format::Step:
-            return read_step(model, bytes, progress, keep_face_names);
+            return read_step(model, bytes, progress, {keep_face_names, follow_external_references});
         case Format::Iges:
             return read_iges(model, bytes, progress);
         default:
@@ -55,7 +57,7 @@ Error unreadable(const Error& error, const std::filesystem::path& file) {
 Error no_face(const ModelFile& model) {
     std::string text = fmt::format("{} holds no face", model.path.string());
     if (!model.missing_files.empty()) {
-        text += fmt::format(": its parts lie in other files that are not there: {}",
+        text += fmt::format(": its parts lie in other files that are not read: {}",
                             fmt::join(model.missing_files, ", "));
     }
     for (const std::string& note : model.notes) {
@@ -68,6 +70,10 @@ Error no_face(const ModelFile& model) {
 
 void forget_face_names() {
     keep_face_names = false;
+}
+
+void close_external_references() {
+    follow_external_references = false;
 }
 
 Result<ModelFile> read_model(const std::filesystem::path& file, const Progress& progress) {
@@ -85,11 +91,13 @@ Result<ModelFile> read_model(const std::filesystem::path& file, const Progress& 
     model.format = *format;
     const Result<void> done = occ::guarded("reading", [&]() -> Result<void> {
         model.document = make_document();
-        return read_into(model, *bytes, progress).map([&] {
-            join_bodies(model.document);
-            name_parts(model.document, file.stem().string());
-            leave_out_bad_faces(model);
-        });
+        return read_into(model, *bytes, progress)
+            .and_then([&] { return check_numbers(model.shape(), file); })
+            .map([&] {
+                join_bodies(model.document);
+                name_parts(model.document, file.stem().string());
+                leave_out_bad_faces(model);
+            });
     });
     if (progress.cancelled()) {
         return fail(ErrorCode::Cancelled, "reading {} was stopped", file.string());
@@ -101,7 +109,7 @@ Result<ModelFile> read_model(const std::filesystem::path& file, const Progress& 
         return tl::unexpected(no_face(model));
     }
     if (!model.missing_files.empty()) {
-        model.notes.push_back(fmt::format("parts lie in other files that are not there: {}",
+        model.notes.push_back(fmt::format("parts lie in other files that are not read: {}",
                                           fmt::join(model.missing_files, ", ")));
     }
     return model;

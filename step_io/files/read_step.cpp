@@ -1,5 +1,6 @@
 #include "files/read_step.h"
 
+#include "files/external_files.h"
 #include "files/format.h"
 #include "files/progress_indicator.h"
 #include "files/static_scope.h"
@@ -11,14 +12,14 @@
 #include <Interface_InterfaceModel.hxx>
 #include <STEPCAFControl_Reader.hxx>
 #include <STEPConstruct_UnitContext.hxx>
-#include <StepBasic_DocumentFile.hxx>
 #include <StepData_StepModel.hxx>
 #include <StepGeom_GeomRepContextAndGlobUnitAssCtxAndGlobUncertaintyAssCtx.hxx>
 #include <StepRepr_GlobalUncertaintyAssignedContext.hxx>
 #include <StepRepr_GlobalUnitAssignedContext.hxx>
 #include <TCollection_HAsciiString.hxx>
 
-#include <algorithm>
+#include <optional>
+#include <regex>
 #include <sstream>
 
 namespace suture::io {
@@ -80,34 +81,34 @@ void read_context(const Interface_InterfaceModel& entities, ModelFile& model) {
     }
 }
 
-/// OCCT's scanner takes a byte-order mark for a word of the file's.
-IFSelect_ReturnStatus read_entities(STEPCAFControl_Reader& reader,
-                                    const std::filesystem::path& path, std::string_view text) {
-    if (!text.starts_with(kByteOrderMark)) {
-        return reader.ReadFile(path.c_str());
+/// OCCT's scanner takes a byte-order mark for a word of the file's, and has no room for long texts.
+IFSelect_ReturnStatus read_entities(STEPCAFControl_Reader& reader, ModelFile& model,
+                                    std::string_view text) {
+    const std::optional<ShorterStep> shorter = with_short_texts(text);
+    if (!shorter && !text.starts_with(kByteOrderMark)) {
+        return reader.ReadFile(model.path.c_str());
     }
-    std::istringstream stream{std::string(text.substr(kByteOrderMark.size()))};
-    return reader.ChangeReader().ReadStream(path.c_str(), stream);
+    if (shorter) {
+        text = shorter->text;
+        model.notes.push_back(
+            fmt::format("{} text{} of more than {} characters {} cut, the first at entity #{}",
+                        shorter->cut, shorter->cut == 1 ? "" : "s", kLongestStepText,
+                        shorter->cut == 1 ? "is" : "are", shorter->first));
+    }
+    if (text.starts_with(kByteOrderMark)) {
+        text.remove_prefix(kByteOrderMark.size());
+    }
+    std::istringstream stream{std::string(text)};
+    return reader.ChangeReader().ReadStream(model.path.c_str(), stream);
 }
 
-/// Files that the assembly takes its parts from and that do not stand beside it.
-std::vector<std::string> missing_files(const Interface_InterfaceModel& entities,
-                                       const std::filesystem::path& file) {
-    std::vector<std::string> missing;
-    for (int i = 1; i <= entities.NbEntities(); ++i) {
-        const auto document = occ::cast<StepBasic_DocumentFile>(entities.Value(i));
-        if (document.IsNull()) {
-            continue;
-        }
-        const std::string name = text_of(document->Id());
-        std::error_code ignored;
-        if (!name.empty() && !std::filesystem::exists(file.parent_path() / name, ignored)) {
-            missing.push_back(name);
-        }
-    }
-    std::sort(missing.begin(), missing.end());
-    missing.erase(std::unique(missing.begin(), missing.end()), missing.end());
-    return missing;
+/// What OCCT complains of, without the address in memory and the file's name that it may have.
+std::string reason_of(const std::string& complaint) {
+    static const std::regex noise(
+        "[ .]*Exception Raised while reading Step File : '[^']*': |"
+        "0x[0-9a-fA-F]+ : |[ .]+$");
+    const std::string reason = std::regex_replace(complaint, noise, "");
+    return reason.empty() ? "" : ": " + reason;
 }
 
 Result<void> transfer_error(const ModelFile& model) {
@@ -120,14 +121,14 @@ Result<void> transfer_error(const ModelFile& model) {
 }  // namespace
 
 Result<void> read_step(ModelFile& model, std::string_view text, const Progress& progress,
-                       bool face_names) {
+                       const StepReading& options) {
     if (Result<void> whole = check_step_text(text, model.path); !whole) {
         return whole;
     }
     StaticScope scope;
     scope.set("xstep.cascade.unit", "MM");
-    scope.set("read.stepcaf.subshapes.name", face_names ? 1 : 0);
-    if (!face_names) {
+    scope.set("read.stepcaf.subshapes.name", options.face_names ? 1 : 0);
+    if (!options.face_names) {
         model.notes.emplace_back(
             "the names of faces are lost: OCCT's reader crashes on this file with them");
     }
@@ -136,21 +137,21 @@ Result<void> read_step(ModelFile& model, std::string_view text, const Progress& 
     reader.SetGDTMode(false);    // what the writer would not write again
     reader.SetPropsMode(false);  // volumes and centroids, wrong after a fill
     reader.SetViewMode(false);
-    if (read_entities(reader, model.path, text) != IFSelect_RetDone) {
-        return fail(ErrorCode::Unreadable, "{} is damaged: OCCT cannot read it{}{}",
-                    model.path.string(), scope.complaint().empty() ? "" : ": ", scope.complaint());
+    if (read_entities(reader, model, text) != IFSelect_RetDone) {
+        return fail(ErrorCode::Unreadable, "{} is damaged: OCCT cannot read it{}",
+                    model.path.string(), reason_of(scope.complaint()));
     }
     const auto entities = occ::cast<StepData_StepModel>(reader.Reader().Model());
     const APIHeaderSection_MakeHeader header(entities);
     model.schema = schema_of(header);
     model.origin = origin_of(header);
     read_context(*entities, model);
+    model.missing_files = close_external_files(*entities, model.path, options.external_files);
 
     constexpr double kParsed = 0.25;  // of the time, on the files measured
     const auto indicator =
         occ::make<ProgressIndicator>(progress, std::string("read"), kParsed, 1.0);
     const bool transferred = reader.Transfer(model.document, indicator->Start());
-    model.missing_files = missing_files(*entities, model.path);
     return transferred || progress.cancelled() ? Result<void>() : transfer_error(model);
 }
 

@@ -15,6 +15,9 @@ using StepId = std::uint64_t;
 ///     refers(id)        a reference, within the entity begun last
 ///     ends(at)          a semicolon just before `at`
 ///     keyword(word)     a statement that begins with a word, as DATA; false stops the walk
+/// and, if it has this,
+///     text(from, to)    the offsets of a string or a binary with its quotes; one with a doubled
+///                       quote within comes in two pieces that touch
 template <class Visitor>
 class StepScanner {
   public:
@@ -25,7 +28,11 @@ class StepScanner {
         while (at_ < end_ && !stopped_) {
             const char c = *at_;
             if (c == '\'' || c == '"') {
+                const char* from = at_;
                 at_ = std::min(end_, std::find(at_ + 1, end_, c) + 1);
+                if constexpr (requires { visitor_.text(std::size_t{}, std::size_t{}); }) {
+                    visitor_.text(offset(from), offset(at_));
+                }
             } else if (c == '/' && at_ + 1 < end_ && at_[1] == '*') {
                 skip_comment();
             } else if (c == '#') {

@@ -54,6 +54,40 @@ class Completeness {
     std::vector<Reference> references_;
 };
 
+/// Strings and binaries longer than OCCT takes.
+class LongTexts {
+  public:
+    struct Place {
+        std::size_t from, to;
+        StepId entity;
+    };
+
+    void defines(StepId id, std::size_t /*at*/) { entity_ = id; }
+    void refers(StepId /*id*/) {}
+    void ends(std::size_t /*at*/) {}
+    static bool keyword(std::string_view /*word*/) { return true; }
+    void text(std::size_t from, std::size_t to) {
+        if (last_.to != from || from == 0) {
+            last_ = {from, to, entity_};
+        } else {
+            last_.to = to;  // a doubled quote: OCCT's scanner takes both pieces as one
+        }
+        if (last_.to - last_.from > kLongestStepText) {
+            if (!places_.empty() && places_.back().from == last_.from) {
+                places_.pop_back();
+            }
+            places_.push_back(last_);
+        }
+    }
+
+    [[nodiscard]] const std::vector<Place>& places() const { return places_; }
+
+  private:
+    StepId entity_ = 0;
+    Place last_{0, 0, 0};
+    std::vector<Place> places_;
+};
+
 /// Reads one letter of UTF-8 from `at` on, over line breaks that OCCT puts between its bytes.
 char32_t next_letter(const std::string& text, std::size_t& at) {
     const auto byte = static_cast<unsigned char>(text[at++]);
@@ -74,6 +108,30 @@ char32_t next_letter(const std::string& text, std::size_t& at) {
 }
 
 }  // namespace
+
+std::optional<ShorterStep> with_short_texts(std::string_view text) {
+    LongTexts found;
+    StepScanner(text, found).scan();
+    if (found.places().empty()) {
+        return std::nullopt;
+    }
+    constexpr std::size_t kKept = 100;
+    ShorterStep result;
+    result.first = found.places().front().entity;
+    std::size_t done = 0;
+    for (const LongTexts::Place& place : found.places()) {
+        const std::string_view whole = text.substr(place.from, place.to - place.from);
+        const std::string_view start = whole.substr(1, kKept);
+        result.text += text.substr(done, place.from - done);
+        result.text += whole.front();
+        result.text += start.substr(0, start.find_first_of("'\"\\\n\r"));
+        result.text += whole.front();
+        done = place.to;
+        ++result.cut;
+    }
+    result.text += text.substr(done);
+    return result;
+}
 
 std::string encode_step_text(const std::string& text) {
     std::string result;

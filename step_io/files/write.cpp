@@ -2,6 +2,7 @@
 
 #include "files/atomic_file.h"
 #include "files/brep.h"
+#include "files/read.h"
 #include "files/write_iges.h"
 #include "files/write_step.h"
 #include "suture/occ/guard.h"
@@ -44,12 +45,30 @@ Result<void> write_content(const ModelFile& model, const std::string& name, Form
 
 }  // namespace
 
+bool is_mesh(Format format) {
+    return format == Format::Stl || format == Format::Off || format == Format::Obj ||
+           format == Format::ThreeMf;
+}
+
+Result<ModelFile> read_again(const std::filesystem::path& written,
+                             const std::filesystem::path& file, const Progress& progress) {
+    Result<ModelFile> model = read_model(written, progress);
+    if (model || model.error().code == ErrorCode::Cancelled) {
+        return model;
+    }
+    std::string reason = model.error().message;
+    for (std::size_t at = 0; (at = reason.find(written.string(), at)) != reason.npos;) {
+        reason.replace(at, written.string().size(), "the new file");
+    }
+    return fail(ErrorCode::Internal, "{} is not written: {}", file.string(), reason);
+}
+
 Result<std::vector<StepId>> write_model(const ModelFile& model, const std::filesystem::path& file,
                                         Format format, const MeshOptions& mesh,
-                                        std::span<const TopoDS_Face> traced) {
+                                        std::span<const TopoDS_Face> traced, const Verify& verify) {
     const std::string name = file.stem().string();
     std::vector<StepId> numbers;
-    const Result<void> done = write_atomically(file, [&](std::ostream& stream) {
+    const auto content = [&](std::ostream& stream) {
         return occ::guarded("writing " + file.string(), [&]() -> Result<void> {
             if (format == Format::Step) {
                 return write_step(model, name, traced, stream).map([&](std::vector<StepId>&& ids) {
@@ -58,7 +77,15 @@ Result<std::vector<StepId>> write_model(const ModelFile& model, const std::files
             }
             return write_content(model, name, format, mesh, stream);
         });
-    });
+    };
+    const auto look = [&](const std::filesystem::path& written) -> Result<void> {
+        if (verify) {
+            return verify(written, numbers);
+        }
+        return is_mesh(format) ? Result<void>()
+                               : read_again(written, file, {}).map([](const ModelFile&) {});
+    };
+    const Result<void> done = write_atomically(file, content, look);
     return done.map([&] { return std::move(numbers); });
 }
 

@@ -59,6 +59,32 @@ TEST(Text, EscapesWhatMarkupCannotHold) {
     EXPECT_EQ(escape_markup("a<b> & \"c\"\n"), "a&lt;b&gt; &amp; &quot;c&quot;\n");
     EXPECT_EQ(escape_markup(std::string_view("\x01\t\0", 3)), "?\t?");
     EXPECT_EQ(escape_markup("gr\xc3\xbcn"), "gr\xc3\xbcn");
+    EXPECT_EQ(escape_markup("gr\xfcn"), "gr\xEF\xBF\xBDn");
+}
+
+TEST(Text, ReplacesEveryByteThatIsNoUtf8) {
+    const std::string good = "a\xc3\xbc\xe2\x82\xac\xf0\x9f\x98\x80";
+    EXPECT_EQ(valid_utf8(good), good);
+    const std::string bad = "\xEF\xBF\xBD";
+    EXPECT_EQ(valid_utf8("\xff"), bad);
+    EXPECT_EQ(valid_utf8("\xc3"), bad);                                // cut off
+    EXPECT_EQ(valid_utf8("\xc0\xaf"), bad + bad);                      // overlong
+    EXPECT_EQ(valid_utf8("\xed\xa0\x80"), bad + bad + bad);            // a surrogate
+    EXPECT_EQ(valid_utf8("\xf4\x90\x80\x80"), bad + bad + bad + bad);  // beyond Unicode
+}
+
+TEST(Text, MakesVisibleWhatSteersATerminal) {
+    EXPECT_EQ(visible("a\x1b[31mb\x07\x7f"), "a\\x1B[31mb\\x07\\x7F");
+    EXPECT_EQ(visible("\xc2\x9b"), "\\x9B");        // C1: the short form of ESC [
+    EXPECT_EQ(visible("\xe2\x80\xae"), "\\u202E");  // right to left from here on
+    EXPECT_EQ(visible("gr\xc3\xbcn \\"), "gr\xc3\xbcn \\");
+}
+
+TEST(Text, ShortensInTheMiddle) {
+    EXPECT_EQ(shortened("abcdefghij", 10), "abcdefghij");
+    EXPECT_EQ(shortened("abcdefghijk", 10), "abcde...jk");
+    EXPECT_EQ(shortened("\xc3\xa4\xc3\xb6\xc3\xbc\xc3\xa4\xc3\xb6\xc3\xbc", 5),
+              "\xc3\xa4\xc3\xb6...");
 }
 
 }  // namespace

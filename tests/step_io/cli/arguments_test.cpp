@@ -101,25 +101,28 @@ class ExpectWritable : public testing::Test {
 
 TEST_F(ExpectWritable, TakesNewAndOldFilesOtherThanTheInput) {
     std::ofstream(folder_ / "old.step") << "old";
-    EXPECT_TRUE(expect_writable("-o", folder_ / "new.step", folder_ / "in.step", false));
-    EXPECT_TRUE(expect_writable("-o", folder_ / "old.step", folder_ / "in.step", false));
+    EXPECT_TRUE(expect_writable("-o", folder_ / "new.step", folder_ / "in.step", Force::NotGiven));
+    EXPECT_TRUE(expect_writable("-o", folder_ / "old.step", folder_ / "in.step", Force::NotGiven));
 }
 
 TEST_F(ExpectWritable, RefusesTheInputUnderAnyNameUnlessForced) {
     fs::create_symlink(folder_ / "in.step", folder_ / "link.step");
     for (const fs::path& output :
          {folder_ / "in.step", folder_ / "." / "in.step", folder_ / "link.step"}) {
-        const auto refused = expect_writable("-o", output, folder_ / "in.step", false);
+        const auto refused = expect_writable("-o", output, folder_ / "in.step", Force::NotGiven);
         ASSERT_FALSE(refused) << output;
         EXPECT_THAT(refused.error().message, HasSubstr("--force"));
-        EXPECT_TRUE(expect_writable("-o", output, folder_ / "in.step", true));
+        EXPECT_TRUE(expect_writable("-o", output, folder_ / "in.step", Force::Given));
+        const auto never = expect_writable("-o", output, folder_ / "in.step", Force::NotOffered);
+        ASSERT_FALSE(never) << output;
+        EXPECT_THAT(never.error().message, Not(HasSubstr("--force")));
     }
 }
 
 TEST_F(ExpectWritable, RefusesFoldersAndFilesInNoFolder) {
-    EXPECT_FALSE(expect_writable("-o", folder_, folder_ / "in.step", true));
+    EXPECT_FALSE(expect_writable("-o", folder_, folder_ / "in.step", Force::Given));
     const auto refused =
-        expect_writable("-o", folder_ / "no" / "out.step", folder_ / "in.step", true);
+        expect_writable("-o", folder_ / "no" / "out.step", folder_ / "in.step", Force::Given);
     ASSERT_FALSE(refused);
     EXPECT_EQ(refused.error().code, ErrorCode::Usage);
 }

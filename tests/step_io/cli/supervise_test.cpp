@@ -3,6 +3,7 @@
 #include "cli/exit_code.h"
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 #include <unistd.h>
 
 #include <chrono>
@@ -10,6 +11,7 @@
 #include <fstream>
 #include <stdexcept>
 #include <thread>
+#include <vector>
 
 namespace suture::cli {
 namespace {
@@ -20,7 +22,7 @@ using Clock = std::chrono::steady_clock;
 constexpr auto kLong = 60s;
 
 Ending run(const Job& job, std::chrono::milliseconds read_limit = kLong) {
-    return supervise(read_limit, job);
+    return supervise({read_limit, kLong, 0}, job);
 }
 
 /// Sends this process a signal after a while, as Ctrl-C does; blocked outside of supervise().
@@ -152,6 +154,48 @@ TEST_F(Supervise, CostsLittle) {
     const auto start = Clock::now();
     (void)run([](const StageLine&, std::stop_token) { return 0; });
     EXPECT_LT(Clock::now() - start, 100ms * SUTURE_TEST_SLOWDOWN);
+}
+
+TEST_F(Supervise, EndsAJobWhoseWholeTimeIsOver) {
+    const Ending ending = supervise({kLong, 200ms, 0}, [](const StageLine& line, std::stop_token) {
+        line.enter(Stage::Filling, "filling hole 1");
+        std::this_thread::sleep_for(kLong);
+        return 0;
+    });
+    EXPECT_EQ(ending.kind, Ending::Kind::Timeout);
+    EXPECT_EQ(ending.what, "filling hole 1");
+}
+
+TEST_F(Supervise, TellsAKillFromACrash) {
+    const Ending ending = run([](const StageLine&, std::stop_token) {
+        raise(SIGKILL);
+        return 0;
+    });
+    EXPECT_EQ(ending.kind, Ending::Kind::Killed);
+}
+
+TEST_F(Supervise, TellsWhenMemoryWasNotEnough) {
+    // In a thread nobody catches it.
+    constexpr std::uint64_t kLittle = 4'000'000'000;
+    const Ending ending = supervise({kLong, kLong, kLittle}, [](const StageLine&, std::stop_token) {
+        std::thread([] {
+            const std::vector<char> much(10 * kLittle, 'x');
+            std::ofstream("/dev/null") << much.back();
+        }).join();
+        return 0;
+    });
+    EXPECT_EQ(ending.kind, Ending::Kind::OutOfMemory);
+}
+
+TEST_F(Supervise, GivesTheJobNoCoreFileAndFewFiles) {
+    const Ending ending = run([](const StageLine&, std::stop_token) {
+        rlimit core{};
+        rlimit files{};
+        getrlimit(RLIMIT_CORE, &core);
+        getrlimit(RLIMIT_NOFILE, &files);
+        return core.rlim_cur == 0 && files.rlim_cur <= 1024 ? 0 : 1;
+    });
+    EXPECT_EQ(ending.code, 0);
 }
 
 }  // namespace

@@ -191,7 +191,7 @@ class Fill(Case):
         self.assertEqual(run("inspect", self.output, "--json").json["hole_count"], 1)
 
     def test_fill_out_of_tolerance_is_written_and_told(self):
-        document = self.fill("bump_window", "--method", "occt", "--angle", "1e-9", "--timeout", limit(60),
+        document = self.fill("bump_window", "--method", "occt", "--angle", "1e-9", "--occt-timeout", limit(60),
                              code=OUT_OF_TOLERANCE)
         self.assertEqual(document["holes"][0]["status"], "filled")
         self.assertFalse(document["holes"][0]["within_tolerance"])

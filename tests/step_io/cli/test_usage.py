@@ -106,7 +106,8 @@ class WrongValues(Case):
         self.refuse(["--option", "nonsense"], "KEY=VALUE")
 
     def test_tolerances_must_be_positive_numbers(self):
-        for flag in ("--tolerance", "--angle", "--curvature", "--sew-tolerance", "--timeout"):
+        for flag in ("--tolerance", "--angle", "--curvature", "--sew-tolerance", "--timeout", "--occt-timeout",
+                     "--memory"):
             for value in ("0", "-1", "nan", "inf"):
                 self.refuse([f"{flag}={value}"], flag, "positive")
 

@@ -151,8 +151,16 @@ TEST(BadFiles, BrepCutAnywhereIsRefused) {
 TEST(BadFiles, AShapeWithoutFaceIsRefused) {
     const Folder folder;
     const TopoDS_Shape box = BRepPrimAPI_MakeBox(30, 20, 5).Shape();
-    write(model_of(TopExp_Explorer(box, TopAbs_WIRE).Current(), "wire"), folder / "wire.brep",
-          Format::BrepText);
+    const ModelFile wire = model_of(TopExp_Explorer(box, TopAbs_WIRE).Current(), "wire");
+    const auto any = [](const std::filesystem::path&, const std::vector<StepId>&) {
+        return Result<void>();
+    };
+    ASSERT_TRUE(write_model(wire, folder / "wire.brep", Format::BrepText, {}, {}, any));
+    const auto refused = write_model(wire, folder / "refused.brep", Format::BrepText, {});
+    ASSERT_FALSE(refused);
+    EXPECT_THAT(refused.error().message,
+                testing::HasSubstr("is not written: the new file holds no face"));
+    EXPECT_FALSE(std::filesystem::exists(folder / "refused.brep"));
     EXPECT_EQ(refusal(folder / "wire.brep"), "holds no face");
 }
 

@@ -12,6 +12,12 @@ using Exact = Polynomial<Rational>;
 /// A higher degree in the text is a slip of the pen, and would take all memory.
 constexpr int kHighestDegree = 20;
 
+/// The parser calls itself for each.
+constexpr int kDeepest = 100;
+
+/// Exact arithmetic takes the square of a number's length.
+constexpr std::size_t kLongestText = 20'000;
+
 /// Recursive descent: sum -> product -> power -> number, variable or (sum).
 class Parser {
   public:
@@ -28,6 +34,7 @@ class Parser {
   private:
     std::string_view text_;
     std::size_t at_ = 0;
+    int depth_ = 0;  ///< of parentheses
 
     char peek() {
         while (at_ < text_.size() && std::isspace(static_cast<unsigned char>(text_[at_])) != 0) {
@@ -36,8 +43,9 @@ class Parser {
         return at_ < text_.size() ? text_[at_] : '\0';
     }
     [[nodiscard]] tl::unexpected<Error> wrong(std::string_view expected) const {
-        return fail(ErrorCode::Usage, "'{}': expected {} at character {}", text_, expected,
-                    at_ + 1);
+        constexpr std::size_t kShown = 60;
+        return fail(ErrorCode::Usage, "'{}{}': expected {} at character {}",
+                    text_.substr(0, kShown), text_.size() > kShown ? "..." : "", expected, at_ + 1);
     }
 
     Result<Exact> sum() {
@@ -109,12 +117,16 @@ class Parser {
             return Exact::variable(c - 'x');
         }
         if (c == '(') {
+            if (++depth_ > kDeepest) {
+                return wrong("at most 100 parentheses within each other");
+            }
             ++at_;
             auto inner = sum();
             if (inner && peek() != ')') {
                 return wrong("')'");
             }
             ++at_;
+            --depth_;
             return inner;
         }
         return number();
@@ -205,6 +217,10 @@ std::string write(const Polynomial<T>& p, const Write& number) {
 }  // namespace
 
 Result<Exact> parse_polynomial(std::string_view text) {
+    if (text.size() > kLongestText) {
+        return fail(ErrorCode::Usage, "a polynomial of {} characters is longer than the {} allowed",
+                    text.size(), kLongestText);
+    }
     return Parser(text).whole();
 }
 

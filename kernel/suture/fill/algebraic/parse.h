@@ -12,7 +12,8 @@ namespace suture::algebraic {
 /// Reads "10yz - 25z^2 + 3/4 (x - 1)^2 - 0.5": variables x, y, z, + - * / ^, parentheses, products
 /// without a sign; decimals are taken as the exact fractions that they are.
 ///
-/// Refuses  (Usage) anything else, with the place; division by anything but a number.
+/// Refuses  (Usage) anything else, with the place; division by anything but a number; a degree
+///          above 20, more than 100 parentheses within each other, more than 20,000 characters.
 [[nodiscard]] Result<Polynomial<Rational>> parse_polynomial(std::string_view text);
 
 /// The same text again: exact coefficients, highest degree first; "0" for nothing.
