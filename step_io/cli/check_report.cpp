@@ -83,11 +83,22 @@ std::ptrdiff_t count_certified(const CheckResult& result) {
     return std::ranges::count(result.certificates, true, &EdgeCertificate::certified);
 }
 
+/// Proven, but too far above what was measured.
+bool misses_slack(const EdgeCertificate& proven) {
+    return proven.certified && !proven.within_slack;
+}
+
 Section certificate_section(const CheckResult& result) {
     Table table({">edge", "not certified because"});
     for (const EdgeCertificate& proven : result.certificates) {
         if (!proven.certified) {
             table.add({std::to_string(proven.edge), proven.reason});
+        } else if (misses_slack(proven)) {
+            table.add({std::to_string(proven.edge),
+                       fmt::format("certified, but wider than the slack of {:g} % after {} "
+                                   "stretches: gap {} mm, angle {} deg",
+                                   100.0 * result.slack, proven.stretches, short_number(proven.gap),
+                                   short_number(degrees(proven.angle)))});
         }
     }
     return {"Certificates",
@@ -103,6 +114,7 @@ Json certificate_json(const EdgeCertificate& proven) {
     if (proven.certified) {
         json["gap_bound"] = proven.gap;
         json["angle_bound_deg"] = degrees(proven.angle);
+        json["within_slack"] = proven.within_slack;
     } else {
         json["reason"] = proven.reason;
     }
@@ -211,6 +223,7 @@ Outcome report_check(const Command& command, const std::shared_ptr<const CheckRe
         outcome.document["certificates"] = {
             {"certified", count_certified(*result)},
             {"edges", result->certificates.size()},
+            {"beyond_slack", std::ranges::count_if(result->certificates, misses_slack)},
             {"slack_percent", 100.0 * result->slack},
             {"median_slack_percent", 100.0 * median_slack(*result)}};
         outcome.sections.push_back(certificate_section(*result));

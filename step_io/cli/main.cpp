@@ -5,13 +5,17 @@
 #include "cli/describe.h"
 #include "cli/options.h"
 #include "cli/patch.h"
+#include "cli/picture_broker.h"
 #include "cli/report_html.h"
 #include "cli/report_json.h"
+#include "cli/sandbox.h"
 #include "cli/sew.h"
 #include "cli/text_file.h"
 #include "cli/usage.h"
+#include "files/atomic_file.h"
 #include "files/format.h"
 #include "files/read.h"
+#include "suture/base/on_demand.h"
 #include "suture/occ/guard.h"
 
 #include <fcntl.h>
@@ -74,18 +78,17 @@ Result<void> write_reports(const Command& command, Run& run, const Outcome& outc
     return {};
 }
 
-Result<void> write_picture(const Command& command, Run& run, const Outcome& outcome) {
+Result<void> write_picture(const Command& command, Run& run, const Outcome& outcome,
+                           const PictureBroker& broker) {
     if (command.common.picture.empty()) {
         return {};
     }
-    constexpr std::chrono::seconds kLimit(120);
     const Result<std::string> page = report_text(command, run, outcome, ".html");
     if (!page) {
         return tl::unexpected(page.error());
     }
     const Progress progress = run.stage(Stage::Checking, "drawing the picture", 0.95, 1.0);
-    return report::take_picture(*page, command.common.picture_wish, command.common.picture, kLimit,
-                                progress);
+    return broker.take(*page, progress);
 }
 
 /// One line on stderr, and with --json the document that says the same.
@@ -106,7 +109,7 @@ void silence_occt(bool verbose) {
 }
 
 /// What ends here as an exception is a bug of ours: a line and an exit code all the same.
-Result<Outcome> run_command(Command& command, Run& run) {
+Result<Outcome> run_command(Command& command, Run& run, const PictureBroker& broker) {
     try {
         return occ::guarded("suture " + command.name, [&]() -> Result<Outcome> {
             silence_occt(command.common.verbose);
@@ -118,7 +121,7 @@ Result<Outcome> run_command(Command& command, Run& run) {
             if (!written) {
                 return tl::unexpected(written.error());
             }
-            const Result<void> drawn = write_picture(command, run, *result);
+            const Result<void> drawn = write_picture(command, run, *result, broker);
             if (!drawn) {
                 return tl::unexpected(drawn.error());
             }
@@ -151,12 +154,37 @@ void lack(const std::vector<std::string>& parts, Outcome& outcome) {
     }
 }
 
+SandboxPaths paths_of(const Command& command) {
+    SandboxPaths paths;
+    paths.read = command.more_inputs;
+    paths.read.push_back(io::followed(command.input).parent_path());
+    paths.read.push_back(command.input.has_parent_path() ? command.input.parent_path() : ".");
+    std::error_code ignored;
+    paths.write.push_back(std::filesystem::temp_directory_path(ignored));
+    for (const auto* files : {&command.outputs, &command.common.reports}) {
+        for (const std::filesystem::path& file : *files) {
+            paths.write.push_back(io::followed(file).parent_path());
+        }
+    }
+    try {
+        paths.execute.emplace_back(program_on_demand("suture_occt_filling"));
+        paths.read.push_back(paths.execute.back().parent_path());  // our modules, which come late
+    } catch (const std::runtime_error&) {
+        // Method occt says so when it is asked for.
+    }
+    return paths;
+}
+
 /// The job: in the supervised process.
-int run_job(Command& command, const StageLine& line, std::stop_token cancel) {
+int run_job(Command& command, const StageLine& line, std::stop_token cancel,
+            const PictureBroker& broker) {
+    if (!command.input.empty()) {  // the other commands read nothing of a user's
+        enter_sandbox(paths_of(command));
+    }
     const ResultStream out(command.common.verbose);
     set_up_log(command.common.verbose);
     Run run(line, std::move(cancel), command.common.progress);
-    Result<Outcome> outcome = run_command(command, run);
+    Result<Outcome> outcome = run_command(command, run, broker);
     run.display().clear();
     if (!outcome && outcome.error().code == ErrorCode::Cancelled) {
         return kInterrupted;  // the supervisor knows why, and says it
@@ -266,8 +294,9 @@ std::chrono::milliseconds milliseconds(double seconds) {
 int supervised(Command& command) {
     const JobLimits limits{milliseconds(command.common.read_timeout),
                            milliseconds(command.common.timeout), memory_limit(command)};
+    const PictureBroker broker(command);
     const auto job = [&](const StageLine& line, std::stop_token cancel) {
-        return run_job(command, line, std::move(cancel));
+        return run_job(command, line, std::move(cancel), broker);
     };
     if (!command.common.external_references) {
         io::close_external_references();
@@ -350,7 +379,21 @@ Result<std::optional<Batch>> batch_of(const CLI::App& app, const std::vector<std
     return batch;
 }
 
+/// --version -v: what a service wants to know of this machine too.
+std::optional<std::string> long_version(std::vector<std::string> words) {
+    std::ranges::sort(words);
+    const bool wanted = words == std::vector<std::string>{"--version", "-v"} ||
+                        words == std::vector<std::string>{"--verbose", "--version"};
+    return wanted ? std::optional(fmt::format("suture {}\nsandbox: {}\nmemory limit: {:.3g} GB\n",
+                                              SUTURE_VERSION, sandbox_support(),
+                                              gigabytes(default_memory_limit())))
+                  : std::nullopt;
+}
+
 int run_program(std::vector<std::string> words) {
+    if (const auto version = long_version(words)) {
+        return print_result(ResultStream(false), *version, kDone);
+    }
     CLI::App app(kAbout, "suture");
     app.set_version_flag("--version", "suture " SUTURE_VERSION);
     app.footer(kFooter);

@@ -9,6 +9,7 @@
 #include <cerrno>
 #include <streambuf>
 #include <system_error>
+#include <tuple>
 
 namespace suture::io {
 
@@ -127,13 +128,8 @@ class TemporaryFile : public std::streambuf {
 /// The file that is to be replaced, with links followed, if writing there makes sense at all.
 Result<fs::path> target_of(const fs::path& file) {
     std::error_code error;
-    fs::path target = fs::weakly_canonical(fs::absolute(file, error), error);
-    // A link whose target is missing stays a link, and its target is made.
-    constexpr int kMostLinks = 40;
-    std::error_code none;
-    for (int i = 0; i < kMostLinks && fs::is_symlink(target, none); ++i) {
-        target = fs::weakly_canonical(target.parent_path() / fs::read_symlink(target, none), none);
-    }
+    const fs::path target = followed(file);
+    std::ignore = fs::absolute(file, error);
     if (error) {
         return fail(ErrorCode::WriteFailed, "{} cannot be written: {}", file.string(),
                     error.message());
@@ -159,6 +155,18 @@ Result<fs::path> target_of(const fs::path& file) {
 }
 
 }  // namespace
+
+fs::path followed(const fs::path& file) {
+    std::error_code ignored;
+    fs::path target = fs::weakly_canonical(fs::absolute(file, ignored), ignored);
+    // A link whose target is missing stays a link, and its target is made.
+    constexpr int kMostLinks = 40;
+    for (int i = 0; i < kMostLinks && fs::is_symlink(target, ignored); ++i) {
+        target =
+            fs::weakly_canonical(target.parent_path() / fs::read_symlink(target, ignored), ignored);
+    }
+    return target;
+}
 
 Result<void> write_atomically(const fs::path& file,
                               const std::function<Result<void>(std::ostream&)>& content,

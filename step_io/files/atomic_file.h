@@ -8,6 +8,9 @@
 
 namespace suture::io {
 
+/// The file that a path leads to, links followed, also one to a file that is not there yet.
+[[nodiscard]] std::filesystem::path followed(const std::filesystem::path& file);
+
 /// Writes a file whole or not at all: into a temporary file beside it, flushed to the disk, then
 /// renamed over it. A new file gets the permissions of any new file, an old one keeps its own; of a
 /// symbolic link the file that it points to is replaced.

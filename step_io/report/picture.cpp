@@ -120,15 +120,31 @@ Result<void> take_picture(const std::string& page, const PictureWish& wish, cons
     const fs::path html = folder.path() / "page.html";
     const fs::path shot = folder.path() / "shot.png";
     std::ofstream(html, std::ios::binary) << page;
-    const auto ended = run_quietly(
-        {browser.string(), "--headless", "--no-sandbox", "--disable-quic", "--no-first-run",
-         "--disable-background-networking", "--disable-component-update", "--disable-sync",
-         "--disable-dev-shm-usage", "--hide-scrollbars", "--use-angle=swiftshader",
-         "--enable-unsafe-swiftshader", "--force-device-scale-factor=1",
-         "--user-data-dir=" + (folder.path() / "profile").string(),
-         fmt::format("--window-size={},{}", wish.width, wish.height), "--virtual-time-budget=10000",
-         "--screenshot=" + shot.string(), address_of(html, wish)},
-        limit, progress);
+    std::vector<std::string> words{browser.string(),
+                                   "--headless",
+                                   "--disable-quic",
+                                   "--no-first-run",
+                                   "--disable-background-networking",
+                                   "--disable-component-update",
+                                   "--disable-sync",
+                                   "--disable-dev-shm-usage",
+                                   "--hide-scrollbars",
+                                   "--use-angle=swiftshader",
+                                   "--enable-unsafe-swiftshader",
+                                   "--force-device-scale-factor=1",
+                                   "--user-data-dir=" + (folder.path() / "profile").string(),
+                                   fmt::format("--window-size={},{}", wish.width, wish.height),
+                                   "--virtual-time-budget=10000",
+                                   "--screenshot=" + shot.string(),
+                                   address_of(html, wish)};
+    std::optional<int> ended;
+    if (geteuid() != 0) {  // Chromium has no sandbox for root
+        ended = run_quietly(words, limit, progress);
+    }
+    if (ended != 0 && !progress.cancelled()) {  // nor where users have no name spaces
+        words.insert(words.begin() + 2, "--no-sandbox");
+        ended = run_quietly(words, limit, progress);
+    }
     if (progress.cancelled()) {
         return fail(ErrorCode::Cancelled, "taking the picture was stopped");
     }

@@ -94,7 +94,7 @@ class Problems(Case):
         self.expect_refused(run("algebraic", "no_such.json"), UNREADABLE, "no_such.json")
         for changes, text in (
             ({"centre": [1, 1, 2]}, "plane 3 does not go through the centre"),
-            ({"k": -1}, "less than 0"),
+            ({"k": -1}, "from 0 to 8"),
             ({"cells": "many"}, '"many"'),
             ({"sides": []}, "at least 3"),
         ):

@@ -112,7 +112,7 @@ class Profiles(Case):
             finished = run("check", example("box_without_lid"), "--profile", self.write(**limits))
             self.expect_refused(finished, USAGE, word)
         missing = run("check", example("box_without_lid"), "--profile", self.folder / "none.json")
-        self.expect_refused(missing, USAGE, "cannot be read")
+        self.expect_refused(missing, USAGE, "does not exist")
 
     def test_the_measure_of_the_profile_decides_the_class(self):
         # A sum-normalised mismatch is at most as large as the other: never a lower class.

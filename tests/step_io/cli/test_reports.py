@@ -237,7 +237,7 @@ class Fill(Case):
         points = self.folder / "points.csv"
         points.write_text("1,2,3\n1,2\n")
         for words, text in ((("--through", points), "line 2 of"),
-                            (("--through", self.folder / "none.csv"), "cannot be read"),
+                            (("--through", self.folder / "none.csv"), "does not exist"),
                             (("--through-edges", 999), "there is no edge 999")):
             finished = run("fill", example("box_without_lid"), "-o", self.output, *words)
             self.assertEqual(finished.code, USAGE, str(finished))

@@ -1,4 +1,5 @@
 #include "step_io/files/assembly.h"
+#include <gmock/gmock.h>
 #include <sys/stat.h>
 
 #include <regex>

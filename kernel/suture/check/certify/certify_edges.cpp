@@ -109,6 +109,7 @@ class EdgeProver {
             }
         }
         result.certified = true;
+        result.within_slack = result.gap <= gap_wanted && result.angle <= angle_wanted;
         return result;
     }
 
