@@ -1,6 +1,7 @@
 #include "suture/fill/recognise.h"
 
 #include "suture/base/contract.h"
+#include "suture/base/tolerance.h"
 #include "suture/fill/extend/trimmed.h"
 #include "suture/fill/recognise/border.h"
 #include "suture/fill/recognise/describe.h"
@@ -73,8 +74,36 @@ std::vector<Proposal> proposals_for(const Border& border, const Hole& hole,
     return proposals;
 }
 
+/// Whether the hole, which lies on the left of its loops, is seen from the back of the surface:
+/// where no side is tangent, its area in (u, v) tells.
+bool runs_against(const Surface& surface, const Hole& hole) {
+    constexpr int kSamples = 32;
+    double area = 0.0;
+    for (const RibbonLoop& loop : hole.loops) {
+        for (const Ribbon& ribbon : loop.ribbons) {
+            Eigen::Vector2d from = parameters_of(surface, ribbon.at(0.0).point);
+            for (int k = 1; k <= kSamples; ++k) {
+                const Eigen::Vector2d to =
+                    parameters_of(surface, ribbon.at(static_cast<double>(k) / kSamples).point);
+                const double along = to.x() - from.x();
+                area -= 0.5 * (from.y() + to.y()) *
+                        (periodic_u(surface) ? std::remainder(along, 2.0 * kPi) : along);
+                from = to;
+            }
+        }
+    }
+    return area < 0.0;
+}
+
+bool is_reversed(const Proposal& proposal, const Hole& hole) {
+    const bool tangent = proposal.agreement.outward + proposal.agreement.inward > 0;
+    return tangent || std::holds_alternative<SplineSurface>(proposal.surface)
+               ? proposal.agreement.reversed()
+               : runs_against(proposal.surface, hole);
+}
+
 Result<FillResult> deliver(const Proposal& proposal, const Hole& hole, const FillOptions& options) {
-    auto result = extend::trimmed(proposal.surface, proposal.locate, proposal.agreement.reversed(),
+    auto result = extend::trimmed(proposal.surface, proposal.locate, is_reversed(proposal, hole),
                                   hole, options.tolerance.linear);
     if (!result) {
         return result;
