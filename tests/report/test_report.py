@@ -197,7 +197,14 @@ class Page(Report):
         browser.send("Emulation.setEmulatedMedia", media="print")
         browser.value("window.dispatchEvent(new Event('beforeprint'))")
         rows = browser.value("document.querySelectorAll('#table tr[data-row]').length")
-        self.assertEqual(rows, min(1000, browser.value("sutureReport.scene.rows")))
+        self.assertEqual(rows, min(120, browser.value("sutureReport.scene.rows")))
+        width = browser.value("document.documentElement.scrollWidth")
+        self.assertEqual(browser.value("Array.from(document.querySelectorAll('table')).filter("
+                                       f"t => t.getBoundingClientRect().right > {width} + 1).length"), 0)
+        self.assertLessEqual(browser.value("document.body.scrollWidth"), width)
+        self.assertEqual(browser.value("getComputedStyle(document.querySelector('#table thead')).display"),
+                         "table-header-group")
+        self.assertEqual(browser.value("getComputedStyle(document.querySelector('#table thead th')).position"), "static")
         self.assertEqual(browser.value("getComputedStyle(document.getElementById('toolbar')).display"), "none")
 
     def test_names_of_files_are_text_in_the_page(self):

@@ -13,18 +13,33 @@ function element(name, attributes, text) {
   return node;
 }
 
+/** What nearly all values stay below, with room above: a singular point of 1e15 flattens no plot. */
+export function robustTop(values) {
+  const sorted = values.filter((value) => value > 0).sort((a, b) => a - b);
+  if (sorted.length === 0) return 0;
+  const usual = sorted[Math.floor(0.8 * (sorted.length - 1))];
+  const top = sorted[sorted.length - 1];
+  return top > 20 * usual ? 3 * usual : top;
+}
+
 const x = (along) => LEFT + along * (WIDTH - LEFT - RIGHT);
 
 /** One figure along the edge: its curves, an axis with two ticks, and the limit if it is near. */
 function panel(svg, top, height, title, unit, trace, curves, limit) {
   const values = curves.flatMap((curve) => trace.map(curve.value)).filter(Number.isFinite);
-  let low = Math.min(0, ...values);
-  let high = Math.max(0, ...values);
+  const [least, most] = [Math.min(0, ...values), Math.max(0, ...values)];
+  let low = Math.max(least, -robustTop(values.map((value) => -value)));
+  let high = Math.min(most, robustTop(values));
+  const clipped = low > least || high < most;
   if (limit && high < 4 * limit) high = Math.max(high, 1.15 * limit);
   if (high < -1e-6 * low) high = 0; // rounding noise
   if (low > -1e-6 * high) low = 0;
   if (high === low) high = low + 1;
-  const y = (value) => top + height - ((value - low) / (high - low)) * height;
+  const y = (value) => top + height - ((Math.min(Math.max(value, low), high) - low) / (high - low)) * height;
+  if (clipped) {
+    const worst = most - high > low - least ? most : least;
+    svg.append(element('text', { x: WIDTH - RIGHT, y: top - 7, class: 'label clipped', 'text-anchor': 'end' }, `cut off: reaches ${short(worst)}`));
+  }
   svg.append(element('text', { x: LEFT, y: top - 7, class: 'title' }, `${title}${unit ? ` [${unit}]` : ''}`));
   svg.append(element('rect', { x: LEFT, y: top, width: WIDTH - LEFT - RIGHT, height, class: 'frame' }));
   for (const tick of new Set([low, 0, high])) {
@@ -62,14 +77,14 @@ export function plotEdge(root, scene, row, onPoint) {
   const svg = element('svg', { viewBox: `0 0 ${WIDTH} 318`, role: 'img', class: 'plot' });
   const [one, two] = scene.faces(row);
   svg.append(element('title', {}, `Edge ${scene.edge(row)}: angle, gap and curvature along it`));
-  panel(svg, 24, 68, 'angle', '°', trace, [{ value: (p) => p.angle, className: 'main' }], scene.profile.g1_deg);
-  panel(svg, 122, 50, 'gap', 'mm', trace, [{ value: (p) => p.gap, className: 'main' }], scene.profile.g0_mm);
+  panel(svg, 24, 68, 'angle', '°', trace, [{ value: (p) => p.angle, className: 'main' }], scene.limits.g1);
+  panel(svg, 122, 50, 'gap', 'mm', trace, [{ value: (p) => p.gap, className: 'main' }], scene.limits.g0);
   panel(svg, 202, 86, 'curvature across', '1/mm', trace, [
     { value: (p) => p.curvature[0], className: 'one' },
     { value: (p) => p.curvature[1], className: 'two' },
   ]);
-  svg.append(element('text', { x: 250, y: 195, class: 'label one' }, `— face ${one}`));
-  svg.append(element('text', { x: 340, y: 195, class: 'label two' }, `- - face ${two}`));
+  svg.append(element('text', { x: 205, y: 195, class: 'label one' }, `— face ${one}`));
+  svg.append(element('text', { x: 275, y: 195, class: 'label two' }, `- - face ${two}`));
   svg.append(element('text', { x: LEFT, y: 306, class: 'label' }, '0'));
   svg.append(element('text', { x: WIDTH - RIGHT, y: 306, class: 'label', 'text-anchor': 'end' }, `${short(scene.length[row])} mm`));
   const cursor = element('line', { x1: -9, x2: -9, y1: 22, y2: 288, class: 'cursor' });
@@ -124,7 +139,7 @@ export function plotHistogram(root, scene) {
   for (const [degree, text] of [[1e-6, '≤ 0.000001°'], [1e-4, '0.0001°'], [1e-2, '0.01°'], [1, '1°'], [90, '90°']]) {
     svg.append(element('text', { x: place(degree), y: 101, class: 'label', 'text-anchor': degree === 1e-6 ? 'start' : 'middle' }, text));
   }
-  for (const limit of [scene.profile.g1_deg, scene.profile.sharp_deg]) {
+  for (const limit of [scene.limits.g1, scene.limits.sharp]) {
     svg.append(element('line', { x1: place(limit), x2: place(limit), y1: 8, y2: 12 + height, class: 'limit' }));
   }
   root.replaceChildren(svg);

@@ -15,7 +15,7 @@ export const CATEGORIES = [
 const CLASSES = ['sharp', 'G0', 'G1', 'G2', 'G3'];
 const TRACE = 14; // numbers of a point of a course along an edge
 
-function decode(text, Type) {
+export function decode(text, Type) {
   if (Uint8Array.fromBase64) return new Type(Uint8Array.fromBase64(text).buffer);
   const letters = atob(text);
   const bytes = new Uint8Array(letters.length);
@@ -79,6 +79,40 @@ export class Scene {
     this.rows = this.classes.length;
     this.rowOfEdge = new Map();
     for (let row = 0; row < this.rows; ++row) this.rowOfEdge.set(this.edge(row), row);
+    this.holes = json.holes ?? [];
+    this.parts = json.parts ?? [];
+    this.limits = { g0: this.profile.g0_mm, g1: this.profile.g1_deg, g2: this.profile.g2_percent, sharp: this.profile.sharp_deg };
+    this.asGiven = { ...this.limits, classes: this.classes.slice(), near: this.near.slice() };
+  }
+
+  /** Classes and near misses for other limits than those of the report, as the program tells them
+   *  (kernel/suture/check/continuity.cpp, classify; kernel/suture/judge/summary.cpp, is_near_miss). */
+  setLimits(limits) {
+    this.limits = { ...limits };
+    const given = this.asGiven;
+    if (['g0', 'g1', 'g2', 'sharp'].every((key) => limits[key] === given[key])) {
+      this.classes.set(given.classes);
+      this.near.set(given.near);
+      return;
+    }
+    for (let row = 0; row < this.rows; ++row) {
+      if (given.near[row] === 2) continue; // not measured
+      const sharp = this.angle[row] > limits.sharp;
+      const within = this.gap[row] <= limits.g0 && this.angle[row] <= limits.g1;
+      const mismatch = this.mismatch(row);
+      this.classes[row] = sharp ? 0 : !within ? 1 : !(mismatch <= limits.g2) ? 2
+        : this.g3[row] <= this.profile.g3_deg ? 4 : 3;
+      this.near[row] = this.gap[row] > limits.g0 || (!sharp && this.angle[row] > limits.g1) ? 1 : 0;
+    }
+  }
+
+  /** Whether one of the edge's faces is new. */
+  isNew(row) { return this.faces(row).some((face) => this.newFaces.has(face)); }
+
+  /** How far beyond the limits an edge is: 1 is at the limit. */
+  excess(row) {
+    const sharp = this.className(row) === 'sharp';
+    return Math.max(this.gap[row] / this.limits.g0, sharp ? 0 : this.angle[row] / this.limits.g1);
   }
 
   edge(row) { return this.numbers[3 * row]; }
@@ -91,9 +125,12 @@ export class Scene {
   mismatch(row) {
     return this.profile.g2_by === 'sum' ? this.curvature_sum[row] : this.curvature[row];
   }
+  isNearKnot(knot) {
+    return knot.gap > this.limits.g0 || (knot.angle > this.limits.g1 && knot.angle <= this.limits.sharp);
+  }
   remark(row) { return this.remarks[row] || ''; }
   at(row) {
-    const exceeded = this.gap[row] > this.profile.g0_mm ? this.gap_at : this.angle_at;
+    const exceeded = this.gap[row] > this.limits.g0 ? this.gap_at : this.angle_at;
     return [exceeded[3 * row], exceeded[3 * row + 1], exceeded[3 * row + 2]];
   }
 

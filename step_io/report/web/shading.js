@@ -11,7 +11,9 @@ varying vec3 vNormal3;
 varying vec3 vView;
 varying vec2 vCurvature;
 varying float vFresh;
+varying vec3 vPlace;
 void main() {
+  vPlace = position;
   vec4 at = modelViewMatrix * vec4(position, 1.0);
   vNormal3 = normalMatrix * normal;
   vView = isOrthographic ? vec3(0.0, 0.0, 1.0) : -at.xyz;
@@ -32,6 +34,8 @@ varying vec3 vNormal3;
 varying vec3 vView;
 varying vec2 vCurvature;
 varying float vFresh;
+varying vec3 vPlace;
+uniform vec4 section;
 
 // Blue over white to brown: safe for colour-blind eyes, and it prints.
 vec3 diverging(float t) {
@@ -45,6 +49,7 @@ vec3 diverging(float t) {
 }
 
 void main() {
+  if (dot(section.xyz, vPlace) > section.w) discard;
   vec3 n = normalize(vNormal3);
   vec3 v = normalize(vView);
   bool inside = dot(n, v) < 0.0;
@@ -90,6 +95,7 @@ export function makeFaceMaterial() {
       base: { value: new THREE.Color('#b9c2cc') },
       freshColour: { value: new THREE.Color('#2fa6a0') },
       freshShown: { value: 1 },
+      section: { value: new THREE.Vector4(0, 0, 0, 1) }, // what lies beyond this plane is not drawn
     },
   });
 }
@@ -110,14 +116,40 @@ export function makeFaceGeometry(model, newFaces) {
   return geometry;
 }
 
-/** A curvature that all but the sharpest twentieth of the points stay below. */
-export function curvatureRange(model) {
-  const sizes = [];
-  const step = Math.max(2, 2 * Math.ceil(model.curvatures.length / 40000));
-  for (let i = 0; i < model.curvatures.length; i += step) {
-    const size = Math.max(Math.abs(model.curvatures[i]), Math.abs(model.curvatures[i + 1]));
-    if (size > 0 && Number.isFinite(size)) sizes.push(size);
+/** The measure of curvature that the map shows. */
+export function measured(measure, k1, k2) {
+  if (measure === 'mean') return 0.5 * (k1 + k2);
+  if (measure === 'gauss') return Math.sign(k1 * k2) * Math.sqrt(Math.abs(k1 * k2));
+  return Math.abs(k1) > Math.abs(k2) ? k1 : k2;
+}
+
+/** Sizes of curvature over the model, and what part of the curved area is below each: a map whose
+ *  range goes by area is not white because of one small fillet, on which most of the points are. */
+export function curvatureSpread(model, measure) {
+  const { points, corners, curvatures } = model;
+  const found = [];
+  const triangles = corners.length / 3;
+  const step = Math.max(1, Math.ceil(triangles / 60000));
+  for (let t = 0; t < triangles; t += step) {
+    const [a, b, c] = corners.subarray(3 * t, 3 * t + 3);
+    const value = Math.abs(measured(measure, curvatures[2 * a], curvatures[2 * a + 1]));
+    if (!(value > 0) || !Number.isFinite(value)) continue;
+    const u = [0, 1, 2].map((i) => points[3 * b + i] - points[3 * a + i]);
+    const v = [0, 1, 2].map((i) => points[3 * c + i] - points[3 * a + i]);
+    const area = Math.hypot(u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]);
+    if (area > 0) found.push([value, area]);
   }
-  sizes.sort((a, b) => a - b);
-  return sizes.length > 0 ? sizes[Math.floor(0.95 * (sizes.length - 1))] : 1;
+  found.sort((p, q) => p[0] - q[0]);
+  // Rounding on planes counts as flat.
+  const least = found.length > 0 ? 1e-7 * found[found.length - 1][0] : 0;
+  const curved = found.filter(([value]) => value > least);
+  let sum = 0;
+  for (const pair of curved) { sum += pair[1]; pair[1] = sum; }
+  return curved.map(([value, below]) => [value, below / sum]);
+}
+
+/** The curvature that `part` of the curved area stays below. */
+export function curvatureAt(spread, part) {
+  if (spread.length === 0) return 1;
+  return (spread.find(([, below]) => below >= part) ?? spread[spread.length - 1])[0];
 }

@@ -2,6 +2,16 @@
 import { short } from './scene.js';
 
 const ROW = 28; // pixels; style.css says the same
+const PRINTED = 120; // rows on paper: the worst, some four pages
+
+/** What the bar above the table can ask for. */
+const KINDS = [
+  { key: 'all', label: 'all edges' },
+  { key: 'new', label: 'of new faces', test: (scene, row) => scene.isNew(row) },
+  { key: 'failing', label: 'near misses', test: (scene, row) => scene.near[row] > 0 },
+  { key: 'tangent', label: 'G1 and better', test: (scene, row) => ['G1', 'G2', 'G3'].includes(scene.className(row)) },
+  { key: 'sharp', label: 'sharp', test: (scene, row) => scene.className(row) === 'sharp' },
+];
 
 export class EdgeTable {
   constructor(root, scene, onSelect) {
@@ -28,8 +38,15 @@ export class EdgeTable {
   }
 
   build() {
-    this.root.innerHTML = '<div class="scroll" tabindex="0" role="region" aria-label="Edges"><table>'
-      + '<thead><tr></tr></thead><tbody></tbody></table></div><p class="count" aria-live="polite"></p>';
+    this.root.innerHTML = '<div class="bar"><h3>Edges</h3><label>show <select class="which" aria-label="Which edges">'
+      + KINDS.map(({ key, label }) => `<option value="${key}">${label}</option>`).join('') + '</select></label>'
+      + '<label>find <input class="find" type="search" placeholder="edge, face, word" aria-label="Find edges: by number, f and a face\'s number, or a word of the remark"></label><p class="count" aria-live="polite"></p></div>'
+      + '<div class="scroll" tabindex="0" role="region" aria-label="Edges"><table>'
+      + '<thead><tr></tr></thead><tbody></tbody></table></div>';
+    this.which = this.root.querySelector('.which');
+    this.find = this.root.querySelector('.find');
+    this.which.addEventListener('change', () => this.filter(this.accepts));
+    this.find.addEventListener('input', () => this.filter(this.accepts));
     this.scroll = this.root.querySelector('.scroll');
     this.body = this.root.querySelector('tbody');
     this.count = this.root.querySelector('.count');
@@ -67,17 +84,48 @@ export class EdgeTable {
     this.filter(this.accepts);
   }
 
-  /** Shows only the rows that a test accepts. */
+  /** Shows only the rows that a test accepts, and that the bar above the table asks for. */
   filter(accepts) {
     this.accepts = accepts;
-    this.shown = accepts ? this.order.filter(accepts) : this.order;
+    const kind = KINDS.find(({ key }) => key === this.which.value).test;
+    const word = this.find.value.trim().toLowerCase();
+    this.shown = this.order.filter((row) => (!accepts || accepts(row)) && (!kind || kind(this.data, row)) && (!word || this.matches(row, word)));
     this.fill();
   }
 
-  fill(all = false) {
+  /** "12" is edge 12, "f7" an edge of face 7; any other word is looked for in class and remark. */
+  matches(row, word) {
+    if (/^\d+$/.test(word)) return this.data.edge(row) === Number(word);
+    if (/^f\d+$/.test(word)) return this.data.faces(row).includes(Number(word.slice(1)));
+    return `${this.data.category(row)} ${this.data.className(row)} ${this.data.remark(row)}`.toLowerCase().includes(word);
+  }
+
+  /** Shows edges of one kind: all, new, near, ... */
+  ask(kind) {
+    this.which.value = kind;
+    this.filter(this.accepts);
+  }
+
+  /** After the limits have changed: the worst first again. */
+  reorder() {
+    const group = (row) => (this.data.near[row] === 2 ? 0 : this.data.near[row] === 1 ? 1 : this.data.className(row) === 'sharp' ? 3 : 2);
+    for (const other of this.root.querySelectorAll('th')) other.removeAttribute('aria-sort');
+    this.order = Array.from({ length: this.data.rows }, (_, i) => i)
+      .sort((a, b) => group(a) - group(b) || this.data.excess(b) - this.data.excess(a) || a - b);
+    this.filter(this.accepts);
+  }
+
+  /** While it is printed, as many as paper takes, whatever the size of the window. */
+  print(printing) {
+    this.printing = printing;
+    this.fill();
+  }
+
+  fill() {
+    const all = this.printing;
     const height = this.scroll.clientHeight || 300;
     const from = all ? 0 : Math.max(0, Math.floor(this.scroll.scrollTop / ROW) - 8);
-    const to = all ? Math.min(this.shown.length, 1000)
+    const to = all ? Math.min(this.shown.length, PRINTED)
       : Math.min(this.shown.length, Math.ceil((this.scroll.scrollTop + height) / ROW) + 8);
     const rows = [spacer(from)];
     for (let i = from; i < to; ++i) rows.push(this.makeRow(this.shown[i], i));
@@ -122,10 +170,16 @@ export class EdgeTable {
 
   /** Selects a row from outside and brings it into sight. */
   show(row, add) {
+    if (!this.shown.includes(row)) { // the bar hides it
+      this.which.value = 'all';
+      this.find.value = '';
+      this.filter(this.accepts);
+    }
     const place = this.shown.indexOf(row);
     if (place >= 0) {
       const top = place * ROW;
       const height = this.scroll.clientHeight;
+      // The heading covers the first row's height.
       if (top < this.scroll.scrollTop || top > this.scroll.scrollTop + height - 3 * ROW) {
         this.scroll.scrollTop = Math.max(0, top - height / 2);
       }

@@ -5,16 +5,18 @@ import { LineSegments2 } from 'three/addons/lines/LineSegments2.js';
 import { LineMaterial } from 'three/addons/lines/LineMaterial.js';
 import { LineSegmentsGeometry } from 'three/addons/lines/LineSegmentsGeometry.js';
 import { CATEGORIES } from './scene.js';
-import { MEASURES, MODES, curvatureRange, makeFaceGeometry, makeFaceMaterial } from './shading.js';
+import { combs, deviation } from './hairs.js';
+import { edgeAt } from './picking.js';
+import { MEASURES, MODES, makeFaceGeometry, makeFaceMaterial } from './shading.js';
 
 /** Directions from the model to the eye, z upwards. */
 const DIRECTIONS = {
   iso: [1, -1.2, 0.8], front: [0, -1, 0], back: [0, 1, 0], left: [-1, 0, 0], right: [1, 0, 0],
   top: [0, -1e-3, 1], bottom: [0, -1e-3, -1],
 };
-const PICK_PIXELS = 9;
 const WORST_POINTS = 20;
-const COMB_COLOURS = ['#0072b2', '#d55e00'];
+const MOST_LABELS = 12; // of deviations
+const MOST_TRACED = 400; // edges with hairs of deviation at once
 
 export class View {
   constructor(canvas, scene, colours) {
@@ -44,8 +46,11 @@ export class View {
     }
     if (this.box.isEmpty()) this.box.set(new THREE.Vector3(-1, -1, -1), new THREE.Vector3(1, 1, 1));
     this.size = this.box.getSize(new THREE.Vector3()).length() || 1;
-    this.range = scene.models.length > 0 ? curvatureRange(scene.models[0]) : 1;
-    this.material.uniforms.range.value = this.range;
+    this.renderer.localClippingEnabled = true;
+    this.plane = new THREE.Plane(new THREE.Vector3(0, 0, -1), Infinity);
+    this.cutting = false;
+    this.hiddenEdges = new Set();
+    this.pins = [];
     this.lines = {};
     this.makeEdgeLines();
     this.selection = this.makeLines([], '#f0e442', 7);
@@ -55,6 +60,10 @@ export class View {
     this.combs = new THREE.Group();
     this.scene.add(this.combs);
     this.combScale = 1;
+    this.hairs = new THREE.Group();
+    this.scene.add(this.hairs);
+    this.borders = new THREE.Group();
+    this.scene.add(this.borders);
     this.markers = this.makeMarkers();
     this.scene.add(this.markers);
     this.pointer = this.makePoints([[0, 0, 0]], '#f0e442', 15);
@@ -71,6 +80,7 @@ export class View {
     const { edgePoints, edgeFirst } = this.data.models[model];
     const positions = [];
     for (const edge of edges) {
+      if (model === 0 && this.hiddenEdges?.has(edge)) continue;
       for (let i = edgeFirst[edge - 1]; i + 1 < edgeFirst[edge]; ++i) {
         for (let k = 0; k < 6; ++k) positions.push(edgePoints[3 * i + k]);
       }
@@ -80,7 +90,7 @@ export class View {
 
   makeLines(positions, colour, width) {
     const lines = new LineSegments2(new LineSegmentsGeometry(),
-      new LineMaterial({ color: colour, linewidth: width, polygonOffset: true, polygonOffsetFactor: -2 }));
+      new LineMaterial({ color: colour, linewidth: width, clipping: true, clippingPlanes: this.cutting ? [this.plane] : [], polygonOffset: true, polygonOffsetFactor: -2 }));
     lines.frustumCulled = false;
     this.setSegments(lines, positions);
     return lines;
@@ -93,8 +103,15 @@ export class View {
     if (positions.length > 0) lines.geometry.setPositions(positions);
   }
 
+  /** Lines for every category; anew after limits or parts have changed. */
   makeEdgeLines() {
     const byCategory = this.data.byCategory();
+    for (const old of [...Object.values(this.lines), this.beforeLines]) {
+      if (!old) continue;
+      old.geometry.dispose();
+      old.material.dispose();
+      this.scene.remove(old);
+    }
     for (const category of CATEGORIES) {
       const positions = this.data.models.length > 0 ? this.segmentsOf(byCategory[category.key]) : [];
       const lines = this.makeLines(positions, this.colours[category.key], category.width);
@@ -136,13 +153,82 @@ export class View {
     return points;
   }
 
+  remakeMarkers() {
+    const { visible } = this.markers;
+    this.scene.remove(this.markers);
+    this.markers = this.makeMarkers();
+    this.markers.visible = visible && this.markers.userData.some;
+    this.markers.material.clippingPlanes = this.cutting ? [this.plane] : [];
+    this.scene.add(this.markers);
+  }
+
+  /** The borders of holes: over everything, faint where they are hidden. */
+  setBorders(segments, colour) {
+    this.emptyGroup(this.borders);
+    for (const [through, opacity, width] of [[true, 0.35, 4], [false, 1, 6]]) {
+      const lines = this.makeLines(segments, colour, width);
+      Object.assign(lines.material, { depthTest: !through, transparent: through, opacity });
+      lines.renderOrder = 2;
+      this.borders.add(lines);
+    }
+    this.invalidate();
+  }
+
+  emptyGroup(group) {
+    for (const old of group.children) { old.geometry.dispose(); old.material.dispose(); }
+    group.clear();
+  }
+
+  /** Faces and edges of the parts that are not shown. */
+  setHidden(faces, edges) {
+    this.hiddenEdges = edges;
+    const { first, corners } = this.data.models[0];
+    const kept = [];
+    for (let face = 1; face < first.length; ++face) {
+      if (faces.has(face)) continue;
+      for (let i = 3 * first[face - 1]; i < 3 * first[face]; ++i) kept.push(corners[i]);
+    }
+    this.models[0].geometry.setIndex(new THREE.BufferAttribute(new Uint32Array(kept), 1));
+    this.refresh();
+  }
+
+  /** Draws edges, markers and hairs anew: limits, parts or colours have changed. */
+  refresh() {
+    this.makeEdgeLines();
+    this.remakeMarkers();
+    this.setShown(this.shownCategories, this.before);
+    this.select(this.rows ?? []);
+  }
+
+  /** What lies beyond a plane is not drawn; none without a normal. `at` from 0 to 1 through the model. */
+  setSection(normal, at) {
+    this.cutting = Boolean(normal);
+    if (normal) {
+      const n = new THREE.Vector3(...normal).normalize();
+      let [low, high] = [Infinity, -Infinity];
+      for (let k = 0; k < 8; ++k) {
+        const d = n.dot(new THREE.Vector3(k & 1 ? this.box.max.x : this.box.min.x, k & 2 ? this.box.max.y : this.box.min.y, k & 4 ? this.box.max.z : this.box.min.z));
+        [low, high] = [Math.min(low, d), Math.max(high, d)];
+      }
+      const d = low + at * (high - low);
+      this.plane.set(n.clone().negate(), d);
+      this.material.uniforms.section.value.set(n.x, n.y, n.z, d);
+    } else this.material.uniforms.section.value.set(0, 0, 0, 1);
+    this.scene.traverse((object) => {
+      if (object.material && object.material !== this.material) object.material.clippingPlanes = this.cutting ? [this.plane] : [];
+    });
+    this.invalidate();
+  }
+
+  isCut(p) { return this.cutting && this.plane.normal.x * p.x + this.plane.normal.y * p.y + this.plane.normal.z * p.z + this.plane.constant < 0; }
+
   makeMarkers() {
     const worst = [];
     for (let row = 0; row < this.data.rows && worst.length < WORST_POINTS; ++row) {
       if (this.data.near[row] === 1) worst.push(this.data.at(row));
     }
     for (const knot of this.data.knots) {
-      if (knot.near && worst.length < WORST_POINTS) worst.push(knot.at);
+      if (this.data.isNearKnot(knot) && worst.length < WORST_POINTS) worst.push(knot.at);
     }
     const points = this.makePoints(worst, this.colours.near, 13);
     points.visible = worst.length > 0;
@@ -158,19 +244,23 @@ export class View {
   setFreshShown(shown) { this.material.uniforms.freshShown.value = shown ? 1 : 0; this.invalidate(); }
   setMarkersShown(shown) { this.markers.visible = shown && this.markers.userData.some; this.invalidate(); }
   setBackground(colour) { this.scene.background = new THREE.Color(colour); this.invalidate(); }
-  setSharpColour(colour) {
-    this.lines.sharp.material.color.set(colour);
-    this.beforeLines?.material.color.set(colour);
+  setColours(colours) {
+    Object.assign(this.colours, colours);
+    for (const [key, lines] of Object.entries(this.lines)) lines.material.color.set(this.colours[key]);
+    this.beforeLines?.material.color.set(this.colours.sharp);
+    this.drawCombs();
     this.invalidate();
   }
 
   setShown(categories, before) {
+    this.shownCategories = categories;
+    this.before = before;
     this.models.forEach((mesh, i) => { mesh.visible = (i === 1) === before; });
     for (const [key, lines] of Object.entries(this.lines)) {
       lines.visible = !before && categories.has(key) && lines.userData.some;
     }
     if (this.beforeLines) this.beforeLines.visible = before && categories.size > 0;
-    this.selection.visible = this.combs.visible = !before;
+    this.selection.visible = this.combs.visible = this.hairs.visible = !before;
     this.invalidate();
   }
 
@@ -178,45 +268,72 @@ export class View {
     this.rows = rows;
     this.setSegments(this.selection, this.segmentsOf(rows.map((row) => this.data.edge(row))));
     this.drawCombs();
+    this.drawDeviation();
     this.invalidate();
   }
 
   setCombsShown(shown) { this.combsShown = shown; this.drawCombs(); this.invalidate(); }
   setCombScale(scale) { this.combScale = scale; this.drawCombs(); this.invalidate(); }
 
-  /** Hedgehog combs: along the outward normal, as long as the curvature across the edge is large;
-   *  against it where the face is convex. */
   drawCombs() {
-    for (const old of this.combs.children) { old.geometry.dispose(); old.material.dispose(); }
-    this.combs.clear();
-    if (!this.combsShown || !this.rows) return;
-    const traces = this.rows.map((row) => this.data.trace(row));
-    let largest = 0;
-    let length = 0;
-    for (const trace of traces) {
-      for (const p of trace) {
-        for (const k of p.curvature) if (Number.isFinite(k)) largest = Math.max(largest, Math.abs(k));
-      }
-    }
-    for (const row of this.rows) length = Math.max(length, this.data.length[row]);
-    if (largest === 0) return;
-    const scale = this.combScale * 0.35 * Math.min(length, this.size / 4) / largest;
-    for (const side of [0, 1]) {
-      const positions = [];
-      for (const trace of traces) {
-        let before = null;
-        for (const p of trace) {
-          const tip = Array.from(p.point, (x, i) => x - scale * p.curvature[side] * p.normal[side][i]);
-          if (!tip.every(Number.isFinite)) { before = null; continue; }
-          positions.push(...p.point, ...tip);
-          if (before) positions.push(...before, ...tip);
-          before = tip;
-        }
-      }
-      const lines = this.makeLines(positions, COMB_COLOURS[side], side === 0 ? 2.2 : 1.2);
+    this.emptyGroup(this.combs);
+    if (!this.combsShown || !this.rows || this.rows.length === 0) return;
+    combs(this.data, this.rows, this.size, this.combScale).forEach((positions, side) => {
+      if (positions.length === 0) return;
+      const lines = this.makeLines(positions, this.colours[side === 0 ? 'one' : 'two'], side === 0 ? 2.2 : 1.2);
       lines.material.depthTest = false;
       lines.renderOrder = 5;
       this.combs.add(lines);
+    });
+  }
+
+  /** measure: 'angle', 'gap', or '' for none. rows: the edges, where none is selected. */
+  setDeviation(measure, rows) {
+    this.deviationOf = measure;
+    this.deviationRows = rows;
+    this.drawDeviation();
+    this.invalidate();
+  }
+
+  drawDeviation() {
+    this.emptyGroup(this.hairs);
+    this.setPins('deviation', []);
+    if (!this.deviationOf) return;
+    const rows = (this.rows?.length ? this.rows : this.deviationRows).filter((row) => !this.hiddenEdges.has(this.data.edge(row)));
+    const length = this.combScale * 0.12 * Math.min(this.size, this.camera.position.distanceTo(this.controls.target));
+    const found = deviation(this.data, rows.slice(0, MOST_TRACED), this.deviationOf, length);
+    for (const [positions, colour] of [[found.within, this.colours.good], [found.beyond, this.colours.bad]]) {
+      const lines = this.makeLines(positions, colour, 2);
+      lines.renderOrder = 5;
+      this.hairs.add(lines);
+    }
+    this.setPins('deviation', found.worst.slice(0, MOST_LABELS).map(({ row, at, text, bad }) => ({
+      at, text, row, className: bad ? 'bad' : 'good', label: `Edge ${this.data.edge(row)}: ${text}` })));
+  }
+
+  // ---- labels that stand at points of the model
+
+  /** onPin is told which of them was clicked. */
+  setPins(kind, pins) {
+    this.pins = this.pins.filter((pin) => { if (pin.kind === kind) pin.element.remove(); return pin.kind !== kind; });
+    for (const pin of pins) {
+      const element = Object.assign(document.createElement('button'), {
+        type: 'button', className: `pin ${kind} ${pin.className ?? ''}`, textContent: pin.text, ariaLabel: pin.label, title: pin.label });
+      element.addEventListener('click', () => this.onPin?.(pin));
+      this.canvas.parentElement.append(element);
+      this.pins.push({ ...pin, kind, element });
+    }
+    this.invalidate();
+  }
+
+  placePins() {
+    const p = new THREE.Vector3();
+    for (const { at, element, kind } of this.pins) {
+      p.set(...at);
+      const cut = this.isCut(p);
+      p.project(this.camera);
+      element.hidden = cut || p.z > 1 || Math.abs(p.x) > 1 || Math.abs(p.y) > 1 || (kind === 'deviation' && this.before);
+      element.style.transform = `translate(${((0.5 + p.x / 2) * this.width).toFixed(1)}px, ${((0.5 - p.y / 2) * this.height).toFixed(1)}px) translate(-50%, -50%)`;
     }
   }
 
@@ -245,6 +362,27 @@ export class View {
   look(direction) {
     const d = new THREE.Vector3(...(Array.isArray(direction) ? direction : DIRECTIONS[direction])).normalize();
     this.fly(this.box.getCenter(new THREE.Vector3()), d, this.distanceFor(0.5 * this.size), true);
+  }
+
+  /** Moves to a ball around points of the model. */
+  lookAtPoints(points, direction, at_once = false) {
+    const box = new THREE.Box3();
+    for (const point of points) box.expandByPoint(new THREE.Vector3(...point));
+    if (box.isEmpty()) return;
+    const iso = new THREE.Vector3(...DIRECTIONS.iso).normalize();
+    const d = direction ? new THREE.Vector3(...direction).normalize().addScaledVector(iso, 0.35) : iso;
+    const radius = Math.max(0.9 * box.getSize(new THREE.Vector3()).length(), 0.02 * this.size);
+    this.fly(box.getCenter(new THREE.Vector3()), d.normalize(), this.distanceFor(Math.min(radius, 0.5 * this.size)), at_once);
+  }
+
+  /** The corners of the new faces' triangles. */
+  newPoints() {
+    const { first, corners, points } = this.data.models[0] ?? {};
+    const found = [];
+    for (const face of this.data.newFaces) {
+      for (let i = 3 * first[face - 1]; i < 3 * first[face]; ++i) found.push(Array.from(points.subarray(3 * corners[i], 3 * corners[i] + 3)));
+    }
+    return found;
   }
 
   distanceFor(radius) {
@@ -324,44 +462,9 @@ export class View {
   draw() {
     this.pending = false;
     this.renderer.render(this.scene, this.camera);
+    this.placePins();
   }
 
   /** The shown edge nearest to a point of the canvas, or 0. */
-  edgeAt(x, y) {
-    const { width, height } = this.canvas.getBoundingClientRect();
-    const matrix = new THREE.Matrix4().multiplyMatrices(this.camera.projectionMatrix, this.camera.matrixWorldInverse);
-    const { edgePoints, edgeFirst } = this.data.models[0];
-    const p = new THREE.Vector4();
-    let best = 0;
-    let nearest = PICK_PIXELS;
-    let depth = Infinity;
-    for (const lines of Object.values(this.lines)) {
-      if (!lines.visible) continue;
-      for (const edge of lines.userData.edges) {
-        let before = null;
-        for (let i = edgeFirst[edge - 1]; i < edgeFirst[edge]; ++i) {
-          p.set(edgePoints[3 * i], edgePoints[3 * i + 1], edgePoints[3 * i + 2], 1).applyMatrix4(matrix);
-          const now = p.w > 0 ? [(0.5 + (0.5 * p.x) / p.w) * width, (0.5 - (0.5 * p.y) / p.w) * height, p.w] : null;
-          if (now && before) {
-            const distance = segmentDistance(x, y, before, now);
-            // Of edges under the pointer the one in front.
-            if (distance < PICK_PIXELS && (distance < nearest - 3 || (distance < nearest + 3 && now[2] < depth))) {
-              nearest = Math.min(nearest, distance);
-              depth = now[2];
-              best = edge;
-            }
-          }
-          before = now;
-        }
-      }
-    }
-    return best;
-  }
-}
-
-function segmentDistance(x, y, a, b) {
-  const dx = b[0] - a[0];
-  const dy = b[1] - a[1];
-  const s = Math.max(0, Math.min(1, ((x - a[0]) * dx + (y - a[1]) * dy) / (dx * dx + dy * dy || 1)));
-  return Math.hypot(x - a[0] - s * dx, y - a[1] - s * dy);
+  edgeAt(x, y) { return edgeAt(this, x, y); }
 }
