@@ -103,7 +103,7 @@ std::string shortened(const std::string& text, std::size_t letters) {
     const std::size_t kept = letters - kGap.size();
     const std::size_t tail = kept / 3;
     return text.substr(0, starts[kept - tail]) + std::string(kGap) +
-           text.substr(starts[starts.size() - tail]);
+           (tail == 0 ? "" : text.substr(starts[starts.size() - tail]));
 }
 
 std::vector<std::string_view> split(std::string_view text, char separator) {

@@ -56,7 +56,7 @@ class Limits(Untrusted):
 
     def test_filling_has_it_too(self):
         output = self.write("out.step", "old")
-        finished = run("fill", example("bump_window"), "-o", output, "--timeout", "0.3", timeout=30)
+        finished = run("fill", example("bump_window"), "-o", output, "--timeout", "0.05", timeout=30)
         self.expect_refused(finished, INTERNAL, "--timeout", "nothing was written")
         self.assertEqual(output.read_text(), "old")
 
