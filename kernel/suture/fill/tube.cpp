@@ -237,6 +237,7 @@ FillResult lay_out(const tube::Net& net, const RibbonLoop& loop, const Aim& aim)
     const auto border = std::make_shared<const tube::Border>(loop, aim.radials, aim.pole.point,
                                                              kAround, net.border());
     std::vector<TrimCurve> trims;
+    trims.reserve(static_cast<std::size_t>(border->sides()));
     for (int side = 0; side < border->sides(); ++side) {
         trims.emplace_back([border, side, u = net.border()](double s) -> Eigen::Vector2d {
             return {u, s == 1.0 ? border->start(side + 1)

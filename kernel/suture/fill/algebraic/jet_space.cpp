@@ -60,6 +60,7 @@ MatrixXd joined_cells(const Partition& partition, const std::vector<Polynomial<d
     const Paths paths = paths_of(partition);
     MatrixXd image = MatrixXd::Zero(block * partition.cells, columns);
     std::vector<MatrixXd> steps;
+    steps.reserve(planes.size());
     for (const Polynomial<double>& plane : planes) {
         steps.push_back(multiples(plane, interface_k, degree));
     }
