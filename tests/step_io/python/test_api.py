@@ -48,7 +48,7 @@ class Filling(InFolder):
     def test_a_path_gives_its_output_and_a_page(self):
         result = suture.fill(CORNER, "out.step", page=True)
         self.assertEqual(result.shape, Path("out.step"))
-        self.assertEqual(result.holes[0].method_used, "mvs")
+        self.assertEqual(result.holes[0].method_used, "recognise")
         self.assertIn("<iframe srcdoc=", result._repr_html_())
         self.assertGreater(len(result.page), 100_000)
         self.assertTrue(suture.check("out.step").document["shape"]["closed"])
