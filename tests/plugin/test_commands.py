@@ -138,7 +138,7 @@ class Commands(Case):
         self.assertIn("no_such", str(caught.exception))
 
     def test_check_can_be_told_profile_limits_and_edges(self):
-        solid = self.add(api.fill(self.add(example())).Shape)
+        solid = self.add(api.fill(self.add(example()), method="mvs").Shape)
         report = api.check(solid, profile="vda4955", edges=[21, 9])
         self.assertEqual(sorted(edge.edge for edge in report.edges), [9, 21])
         self.assertEqual(report.limits.angle, 0.1)
