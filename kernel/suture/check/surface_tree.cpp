@@ -2,6 +2,8 @@
 
 #include "suture/occ/handle.h"
 
+#include <fmt/format.h>
+
 #include <BRep_Tool.hxx>
 #include <BndLib_AddSurface.hxx>
 #include <Bnd_Box.hxx>
@@ -12,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <stdexcept>
 #include <utility>
 
 namespace suture {
@@ -22,6 +25,9 @@ namespace {
 // a polynomial piece as it has degrees.
 constexpr double kTurn = std::numbers::pi / 4;
 constexpr int kOtherPieces = 4;  // of a surface of another kind, each of its intervals
+
+// No face goes around its surface more often; a damaged one would be split until memory is full.
+constexpr double kMostTurns = 100.0;
 
 // What nine points show of the distance from two triangles, and of the box, may be too little.
 constexpr double kSafety = 2.0;
@@ -81,6 +87,12 @@ std::vector<double> breaks_of(const GeomAdaptor_Surface& surface, bool is_u,
         return breaks;
     }
     if (is_angle(type, is_u) || (type == GeomAbs_SurfaceOfRevolution && is_u)) {
+        const double turns = box.size(k) / (2.0 * std::numbers::pi);
+        if (!(turns <= kMostTurns)) {
+            throw std::domain_error(
+                fmt::format("the face goes around its surface {:.3g} times, at most {:g} are meant",
+                            turns, kMostTurns));
+        }
         const int count = std::max(1, static_cast<int>(std::ceil(box.size(k) / kTurn)));
         add_even(box.low.at(k), box.high.at(k), count, breaks);
         return breaks;

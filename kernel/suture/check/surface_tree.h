@@ -44,6 +44,7 @@ class SurfaceTree {
         std::array<Eigen::Vector3d, 4> corners;   ///< low low, high low, high high, low high
     };
 
+    /// Throws std::domain_error for a face that goes around its surface hundreds of times.
     SurfaceTree(const TopoDS_Face& face, int number);
 
     [[nodiscard]] int number() const { return number_; }

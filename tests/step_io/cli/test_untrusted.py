@@ -296,9 +296,6 @@ class SeenBefore(Untrusted):
     WORDS = {"alg_nest10000": "algebraic", "algebraic": "algebraic", "check": "check", "convert": "convert",
              "fill": "fill", "inspect": "inspect", "patch": "patch"}
 
-    # Not mended yet: a fill can end in an abort there, which the program tells and contains.
-    MAY_ABORT = {"fill-b09f253b6c.bin"}
-
     def test_all_end_within_limits(self):
         shared("n_ansi.step")
         for file in sorted(FUZZ.iterdir()):
@@ -311,8 +308,7 @@ class SeenBefore(Untrusted):
                                *(["--read-timeout", limit(10)] if command in ("check", "fill", "convert", "inspect") else []),
                                timeout=60)
                 self.assertIn(finished.code, range(6), str(finished))
-                if file.name not in self.MAY_ABORT:
-                    self.assertNotIn("crashed", finished.err)
+                self.assertNotIn("crashed", finished.err)
                 for line in finished.err.splitlines():
                     self.assertLessEqual(len(line), LONGEST_LINE)
                 self.assertEqual(file.read_bytes(), before)
