@@ -172,6 +172,38 @@ TEST(FillRecognise, RefusesWherePositionAloneIsWanted) {
     EXPECT_NE(fill.error().message.find("only position"), std::string::npos);
 }
 
+/// A sharp rim around the z axis, walked with or against it.
+Ribbon rim(double radius, double height, double sense) {
+    Ribbon ribbon;
+    ribbon.continuity = Continuity::G0;
+    ribbon.at = [=](double s) {
+        const double phi = sense * 2.0 * kPi * s;
+        RibbonPoint p;
+        p.point = Vector3d(radius * std::cos(phi), radius * std::sin(phi), height);
+        p.tangent = sense * 2.0 * kPi * radius * Vector3d(-std::sin(phi), std::cos(phi), 0.0);
+        p.normal = (height > 0.0 ? 1.0 : -1.0) * Vector3d::UnitZ();
+        p.inward = p.normal.cross(p.tangent).normalized();
+        p.curvature.setZero();
+        return p;
+    };
+    return ribbon;
+}
+
+// A bore's face looks to its axis, a post's away from it.
+TEST(FillRecognise, TurnsTheCylinderBetweenTwoRimsToTheHole) {
+    for (const bool bore : {false, true}) {
+        const double sense = bore ? -1.0 : 1.0;
+        Hole hole;
+        hole.loops = {{{rim(2.0, 0.0, sense)}}, {{rim(2.0, 3.0, -sense)}}};
+        hole.diameter = windows::diameter_of(hole);
+        const auto fill = fill_recognise(hole, {});
+        ASSERT_TRUE(fill) << fill.error().message;
+        const Patch& patch = fill->patches.front();
+        ASSERT_TRUE(std::holds_alternative<Cylinder>(patch.surface));
+        EXPECT_EQ(patch.reversed, bore);
+    }
+}
+
 void expect_refused(const Hole& hole, const std::string& what) {
     const auto fill = fill_recognise(hole, {});
     EXPECT_FALSE(fill) << what << ": " << (fill ? fill->notes.front() : "");
