@@ -54,7 +54,7 @@ def fill(obj, edges=(), faces=(), through=(), **options):
 
     through   [(object, ("Edge1", "Vertex2")), ...] that the new face passes through
     options   those of FillOptions: method, continuity, sides, points, gap, angle, curvature,
-              own, one_face, all_loops
+              own, recognise, one_face, all_loops
     """
     base = places.base_of(obj)
     chosen = FillOptions(edges_for(base, edges, faces), **options)

@@ -9,7 +9,7 @@ import FreeCAD as App
 from . import exchange, marks, places, reports, tasks, waiting, words
 from .compat import Stateless, element_of, translate, without_traceback
 from .errors import ProgramMissing, SutureError
-from .options import FillOptions
+from .options import RECOGNISE, FillOptions
 from .program import methods
 from .properties import add_properties, set_choice
 
@@ -75,6 +75,7 @@ class Request:
             angle=obj.Angle.Value,
             curvature=obj.Curvature,
             own=dict(entry.split("=", 1) for entry in obj.MethodOptions if "=" in entry),
+            recognise=obj.Recognise,
             one_face=obj.OneFace,
             all_loops=obj.AllLoops,
             keep_bad=obj.KeepBad,
@@ -125,6 +126,7 @@ def set_options(obj, options, through=()):
     set_choice(obj, "Method", methods(), options.method)
     obj.MethodOptions = [f"{key}={value}" for key, value in options.own.items()]
     obj.Continuity = options.continuity
+    set_choice(obj, "Recognise", RECOGNISE, options.recognise)
     for wanted in ("G0", "G1", "G2"):
         edges = [f"Edge{edge}" for edge, asked in options.sides.items() if asked == wanted]
         setattr(obj, "Edges" + wanted, (base, edges) if edges else None)

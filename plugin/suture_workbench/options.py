@@ -7,6 +7,7 @@ import json
 from . import program, settings
 
 CONTINUITIES = ["auto", "G0", "G1", "G2"]
+RECOGNISE = ["model", "neighbours", "off"]
 PROFILES = ["catia", "vda4955", "alias", "rhino", "occt"]
 
 
@@ -18,6 +19,7 @@ class FillOptions:
     all_loops    rims and doubtful loops too
     sides        {edge: "G2"}: the continuity of single sides
     points       to pass through, as (x, y, z)
+    recognise    where `auto` looks for the very surface that was lost: "model", "neighbours", "off"
     own          {key: value}: the method's own options (program.options_of)
     keep_bad     put in what is bad (docs/judge.md) as well: the user has seen it
     """
@@ -32,6 +34,7 @@ class FillOptions:
         self.angle = more.pop("angle", None) or settings.angle()
         self.curvature = more.pop("curvature", None) or settings.curvature()
         self.own = {key: str(value) for key, value in (more.pop("own", None) or {}).items()}
+        self.recognise = more.pop("recognise", None) or "model"
         self.one_face = more.pop("one_face", False)
         self.all_loops = more.pop("all_loops", False)
         self.keep_bad = more.pop("keep_bad", False)
@@ -63,6 +66,8 @@ class FillOptions:
             words += ["--edge-continuity", ",".join(sides)]
         for key, value in self.own.items():
             words += ["--option", f"{key}={value}"]
+        if self.recognise != "model":
+            words += ["--recognise", self.recognise]
         if self.all_loops:
             words.append("--all-loops")
         if self.keep_bad and program.judges():

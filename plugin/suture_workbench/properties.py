@@ -2,7 +2,7 @@
 """The properties of a filled shape. Documents name them: keep the names."""
 
 from .compat import mark, translate
-from .options import CONTINUITIES
+from .options import CONTINUITIES, RECOGNISE
 from .program import methods
 
 # name, type, group, tooltip, editor mode (0 shown, 1 read-only, 2 hidden)
@@ -33,6 +33,13 @@ _PROPERTIES = [
         "App::PropertyEnumeration",
         "Fill",
         mark("How the new faces join: G0 position, G1 tangent, G2 curvature"),
+        0,
+    ),
+    (
+        "Recognise",
+        "App::PropertyEnumeration",
+        "Fill",
+        mark("Where the very surface that was lost is looked for: all faces, the neighbours, nowhere"),
         0,
     ),
     (
@@ -173,6 +180,8 @@ def add_properties(obj):
                 set_choice(obj, name, methods(), "auto")
             elif name == "Continuity":
                 set_choice(obj, name, CONTINUITIES, "auto")
+            elif name == "Recognise":
+                set_choice(obj, name, RECOGNISE, "model")
             elif name in ("Gap", "Angle", "Curvature"):
                 setattr(obj, name, {"Gap": 0.001, "Angle": 0.01, "Curvature": 2.0}[name])
         obj.setEditorMode(name, mode)

@@ -16,11 +16,23 @@ Corner = namedtuple("Corner", "point angle mismatch faces")
 Holes = namedtuple("Holes", "verdict holes sewn sewing_tolerance document")
 
 Side = namedtuple("Side", "edge face wanted reason gap angle curvature")
-HoleFill = namedtuple(
-    "HoleFill",
-    "id ids status method wanted reached ok gap angle reason sides new_faces notes edges points distance "
-    "findings",
-)
+
+class HoleFill(
+    namedtuple(
+        "HoleFill",
+        "id ids status method wanted reached ok gap angle reason sides new_faces notes edges points "
+        "distance findings",
+    )
+):
+    """What became of a hole."""
+
+    @property
+    def recognised(self):
+        """The surface that was found again, in words: "torus R = 12, r = 3, tangent to Face4"; else ""."""
+        start = "recognised: "
+        return next((note[len(start) :] for note in self.notes if note.startswith(start)), "")
+
+
 # What is not as it should be: severity "near", "poor", "bad" ("good" is left out), figures in `unit`.
 Finding = namedtuple("Finding", "kind severity value limit unit edge text")
 Fill = namedtuple("Fill", "verdict holes closed valid free_edges ok limits document")

@@ -19,6 +19,7 @@ def method_text(method, title=""):
     return {
         "auto": translate("Tries what applies, measures each result, and keeps the best."),
         "extend": translate("Continues the surface on which all neighbours lie. Exact."),
+        "recognise": translate("Gives back the very face that was lost: cylinder, torus, copy of another…"),
         "plane": translate("Closes a hole that lies in a plane by a flat face. Exact."),
         "mvs": translate("The surface whose curvature varies least, as one freeform face."),
         "algebraic": translate("Surfaces given by polynomials, between planes, quadrics and tori."),
@@ -37,6 +38,24 @@ def continuity_text(wanted):
         "G1": translate("Tangent: no edge is seen; reflections have a kink."),
         "G2": translate("Equal curvature: reflections run on smoothly."),
     }[wanted]
+
+
+def recognise_text(scope):
+    """Where the very surface that was lost is looked for."""
+    return {
+        "model": translate("Among the surfaces of all faces, their offsets and copies."),
+        "neighbours": translate("On the surfaces around the hole only."),
+        "off": translate("Nowhere: each hole is filled smoothly."),
+    }[scope]
+
+
+def recognise_name(scope):
+    """The same in a word or two."""
+    return {
+        "model": translate("in the whole model"),
+        "neighbours": translate("around the hole"),
+        "off": translate("not at all"),
+    }[scope]
 
 
 def profile_text(profile):
@@ -128,6 +147,11 @@ def fill_summary(report):
                 max(angles)
             )
         lines.append(text + ".")
+    lines += [
+        translate("Hole {} recognised: {}.").format(hole.id, hole.recognised)
+        for hole in filled
+        if hole.recognised
+    ]
     lines.append(whole_text(report))
     for hole in report.holes:
         if hole.points and hole.distance is not None:

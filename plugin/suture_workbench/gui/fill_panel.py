@@ -7,7 +7,7 @@ import FreeCADGui as Gui
 from .. import RESOURCES, api, feature, places, reports, settings, tasks, words
 from ..compat import QtCore, QtWidgets, translate
 from ..errors import SutureError
-from ..options import CONTINUITIES, FillOptions
+from ..options import CONTINUITIES, RECOGNISE, FillOptions
 from ..program import methods, title_of
 from . import failures
 from .choice import Choice
@@ -98,6 +98,14 @@ class FillPanel(Panel):
             CONTINUITIES,
             text=words.continuity_text,
         )
+        self.recognise = Choice(
+            self.form,
+            "SutureRecognise",
+            None,
+            RECOGNISE,
+            name=words.recognise_name,
+            text=words.recognise_text,
+        )
         self.own.show_method(self.method.key())
         self.method.changed.connect(lambda: self.own.show_method(self.method.key()))
         self.gap, self.angle, self.curvature = limit_boxes(self.form)
@@ -108,6 +116,7 @@ class FillPanel(Panel):
         for signal in (
             self.method.changed,
             self.continuity.changed,
+            self.recognise.changed,
             self.gap.valueChanged,
             self.angle.valueChanged,
             self.curvature.valueChanged,
@@ -126,13 +135,15 @@ class FillPanel(Panel):
         self.method.choose(options.method)
         self.continuity.choose(options.continuity)
         self.own.set(options.own)
+        self.recognise.choose(options.recognise)
         self.gap.setValue(options.gap)
         self.angle.setValue(options.angle)
         self.curvature.setValue(options.curvature)
         self.child("SutureOneFace").setChecked(options.one_face)
         self.sides.wanted = dict(options.sides)
         self.through.set(obj.Through, [tuple(point) for point in obj.Points])
-        if options.one_face or options.own or obj.Through or obj.Points:
+        changed = options.one_face or options.own or options.recognise != "model"
+        if changed or obj.Through or obj.Points:
             self.child("SutureMore", QtWidgets.QToolButton).setChecked(True)
 
     # -- what is asked for
@@ -152,6 +163,7 @@ class FillPanel(Panel):
             sides=self.sides.asked(),
             points=self.through.points,
             own=self.own.values(),
+            recognise=self.recognise.key(),
             gap=self.gap.value(),
             angle=self.angle.value(),
             curvature=self.curvature.value(),

@@ -644,6 +644,11 @@ oder installieren oder angeben, wo es ist: Bearbeiten &gt; Einstellungen &gt; Su
     </message>
     <message>
       <location filename="suture_workbench/properties.py" />
+      <source>Where the very surface that was lost is looked for: all faces, the neighbours, nowhere</source>
+      <translation>Wo genau die verlorene Fläche gesucht wird: auf allen Flächen, auf den Nachbarn, nirgends</translation>
+    </message>
+    <message>
+      <location filename="suture_workbench/properties.py" />
       <source>Edges that are to be met in position only</source>
       <translation>Kanten, an denen nur die Position stimmen soll</translation>
     </message>
@@ -844,6 +849,36 @@ oder installieren oder angeben, wo es ist: Bearbeiten &gt; Einstellungen &gt; Su
     </message>
     <message>
       <location filename="suture_workbench/words.py" />
+      <source>Among the surfaces of all faces, their offsets and copies.</source>
+      <translation>Unter den Flächen des ganzen Modells, ihren Abstandsflächen und Kopien.</translation>
+    </message>
+    <message>
+      <location filename="suture_workbench/words.py" />
+      <source>On the surfaces around the hole only.</source>
+      <translation>Nur auf den Flächen rings um das Loch.</translation>
+    </message>
+    <message>
+      <location filename="suture_workbench/words.py" />
+      <source>Nowhere: each hole is filled smoothly.</source>
+      <translation>Nirgends: Jedes Loch wird glatt gefüllt.</translation>
+    </message>
+    <message>
+      <location filename="suture_workbench/words.py" />
+      <source>in the whole model</source>
+      <translation>im ganzen Modell</translation>
+    </message>
+    <message>
+      <location filename="suture_workbench/words.py" />
+      <source>around the hole</source>
+      <translation>um das Loch herum</translation>
+    </message>
+    <message>
+      <location filename="suture_workbench/words.py" />
+      <source>not at all</source>
+      <translation>gar nicht</translation>
+    </message>
+    <message>
+      <location filename="suture_workbench/words.py" />
       <source>Click a row to see it.</source>
       <translation>Eine Zeile anklicken, um es zu sehen.</translation>
     </message>
@@ -876,6 +911,11 @@ oder installieren oder angeben, wo es ist: Bearbeiten &gt; Einstellungen &gt; Su
       <location filename="suture_workbench/words.py" />
       <source>Continues the surface on which all neighbours lie. Exact.</source>
       <translation>Setzt die Fläche fort, auf der alle Nachbarn liegen. Exakt.</translation>
+    </message>
+    <message>
+      <location filename="suture_workbench/words.py" />
+      <source>Gives back the very face that was lost: cylinder, torus, copy of another…</source>
+      <translation>Gibt genau die verlorene Fläche zurück: Zylinder, Torus, Kopie einer anderen…</translation>
     </message>
     <message>
       <location filename="suture_workbench/words.py" />
@@ -961,6 +1001,11 @@ oder installieren oder angeben, wo es ist: Bearbeiten &gt; Einstellungen &gt; Su
       <location filename="suture_workbench/words.py" />
       <source>Largest gap {:.2g} mm</source>
       <translation>Größter Spalt {:.2g} mm</translation>
+    </message>
+    <message>
+      <location filename="suture_workbench/words.py" />
+      <source>Hole {} recognised: {}.</source>
+      <translation>Loch {} wiedererkannt: {}.</translation>
     </message>
     <message>
       <location filename="suture_workbench/words.py" />
@@ -1336,6 +1381,16 @@ oder installieren oder angeben, wo es ist: Bearbeiten &gt; Einstellungen &gt; Su
       <location filename="suture_workbench/resources/ui/fill.ui" />
       <source>The ticked loops bound one face: the first is its rim, the others are islands in it</source>
       <translation>Die angehakten Ränder begrenzen eine Fläche: Der erste ist ihr Rand, die anderen sind Inseln darin</translation>
+    </message>
+    <message>
+      <location filename="suture_workbench/resources/ui/fill.ui" />
+      <source>Recognise the lost face</source>
+      <translation>Verlorene Fläche erkennen</translation>
+    </message>
+    <message>
+      <location filename="suture_workbench/resources/ui/fill.ui" />
+      <source>Where the very surface that was lost is looked for</source>
+      <translation>Wo genau die verlorene Fläche gesucht wird</translation>
     </message>
     <message>
       <location filename="suture_workbench/resources/ui/fill.ui" />
