@@ -15,18 +15,22 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::string_view kListOptions[] = {"--hole", "--holes", "--edge", "--edges",
-                                             "--through-edges"};
+constexpr std::string_view kListOptions[] = {"--hole",          "--holes",         "--edge",
+                                             "--edges",         "--through-edges", "--boundary",
+                                             "--replace-faces", "--remove-faces"};
 
 /// A range like 1-1000000000 is a slip of the pen, not a list of edges.
 constexpr int kLongestRange = 1'000'000;
 
-/// How FreeCAD calls edge 12.
+/// How FreeCAD calls edge 12, and face 12.
 constexpr std::string_view kFreecadEdge = "Edge";
+constexpr std::string_view kFreecadFace = "Face";
 
 bool is_number_list(std::string_view word) {
-    if (word.starts_with(kFreecadEdge)) {
-        word.remove_prefix(kFreecadEdge.size());
+    for (const std::string_view prefix : {kFreecadEdge, kFreecadFace}) {
+        if (word.starts_with(prefix)) {
+            word.remove_prefix(prefix.size());
+        }
     }
     return !word.empty() && word.find_first_not_of("0123456789,+-") == std::string_view::npos &&
            word[0] >= '0' && word[0] <= '9';
@@ -81,9 +85,39 @@ std::vector<std::string> join_number_lists(const std::vector<std::string>& words
 namespace {
 
 /// 12 or Edge12.
+Result<int> parse_named(std::string_view text, std::string_view prefix, std::string_view noun) {
+    return parse_number(text.starts_with(prefix) ? text.substr(prefix.size()) : text, noun);
+}
+
 Result<int> parse_edge(std::string_view text) {
-    return parse_number(text.starts_with(kFreecadEdge) ? text.substr(kFreecadEdge.size()) : text,
-                        "an edge");
+    return parse_named(text, kFreecadEdge, "an edge");
+}
+
+/// "12,15-17" -> {12, 15, 16, 17}
+Result<std::vector<int>> parse_ranges(std::string_view text, std::string_view prefix,
+                                      std::string_view noun, std::string_view plural) {
+    std::vector<int> numbers;
+    for (const std::string_view entry : split(text, ',')) {
+        const std::size_t dash = entry.find('-');
+        const Result<int> first = parse_named(entry.substr(0, dash), prefix, noun);
+        if (!first) {
+            return tl::unexpected(first.error());
+        }
+        const Result<int> last = dash == std::string_view::npos
+                                     ? first
+                                     : parse_named(entry.substr(dash + 1), prefix, noun);
+        if (!last) {
+            return tl::unexpected(last.error());
+        }
+        if (*last < *first || *last - *first > kLongestRange) {
+            return fail(ErrorCode::Usage, "'{}' is no range of {}: write it as 15-17", entry,
+                        plural);
+        }
+        for (int number = *first; number <= *last; ++number) {
+            numbers.push_back(number);
+        }
+    }
+    return numbers;
 }
 
 }  // namespace
@@ -107,26 +141,11 @@ Result<std::vector<std::vector<int>>> parse_holes(std::string_view text) {
 }
 
 Result<std::vector<int>> parse_edges(std::string_view text) {
-    std::vector<int> edges;
-    for (const std::string_view entry : split(text, ',')) {
-        const std::size_t dash = entry.find('-');
-        const Result<int> first = parse_edge(entry.substr(0, dash));
-        if (!first) {
-            return tl::unexpected(first.error());
-        }
-        const Result<int> last =
-            dash == std::string_view::npos ? first : parse_edge(entry.substr(dash + 1));
-        if (!last) {
-            return tl::unexpected(last.error());
-        }
-        if (*last < *first || *last - *first > kLongestRange) {
-            return fail(ErrorCode::Usage, "'{}' is no range of edges: write it as 15-17", entry);
-        }
-        for (int edge = *first; edge <= *last; ++edge) {
-            edges.push_back(edge);
-        }
-    }
-    return edges;
+    return parse_ranges(text, kFreecadEdge, "an edge", "edges");
+}
+
+Result<std::vector<int>> parse_faces(std::string_view text) {
+    return parse_ranges(text, kFreecadFace, "a face", "faces");
 }
 
 Result<std::optional<Continuity>> parse_continuity(std::string_view text) {

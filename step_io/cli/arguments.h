@@ -24,6 +24,9 @@ namespace suture::cli {
 /// "12,15-17" -> {12, 15, 16, 17}
 [[nodiscard]] Result<std::vector<int>> parse_edges(std::string_view text);
 
+/// The same of faces: "12,15-17", "Face12"
+[[nodiscard]] Result<std::vector<int>> parse_faces(std::string_view text);
+
 /// "G1", "g1" -> G1; "auto" -> none
 [[nodiscard]] Result<std::optional<Continuity>> parse_continuity(std::string_view text);
 

@@ -66,6 +66,7 @@ std::vector<PartRequest> empty_requests(const FillRequest& request, std::size_t 
         result[i].request = request;
         result[i].request.holes.clear();
         result[i].request.edges.clear();
+        result[i].request.boundaries.clear();
     }
     return result;
 }
@@ -86,6 +87,38 @@ Result<std::vector<PartRequest>> all_holes(const FillRequest& request,
     if (result.empty()) {
         return fail(ErrorCode::NothingToDo, "the model has no hole{}", what_else(parts));
     }
+    return result;
+}
+
+/// Each boundary to the part that has its edges.
+Result<std::vector<PartRequest>> divide_boundaries(const FillRequest& request,
+                                                   const std::vector<PartLoops>& parts) {
+    std::vector<occ::Numbering> own;
+    int loops = 0;
+    for (const PartLoops& part : parts) {
+        own.emplace_back(part.part.shape);
+        loops += static_cast<int>(part.loops.size());
+    }
+    std::vector<PartRequest> result = empty_requests(request, parts.size());
+    int most = 0;  // loops of boundaries in one part
+    for (const std::vector<int>& boundary : request.boundaries) {
+        most += static_cast<int>(boundary.size());
+        const auto part = find_part(parts, [&](const PartLoops& p) {
+            return own[static_cast<std::size_t>(&p - parts.data())].edges.Contains(
+                p.numbering.edges(boundary.front()));
+        });
+        if (!part) {
+            return fail(ErrorCode::Usage,
+                        "edge {} lies in another instance of its part: choose that of the first",
+                        boundary.front());
+        }
+        result[*part].request.boundaries.push_back(boundary);
+    }
+    for (PartRequest& part : result) {
+        part.request.first_new_id =
+            loops + 1 + most * static_cast<int>(part.part) - parts[part.part].ids_before;
+    }
+    std::erase_if(result, [](const PartRequest& part) { return part.request.boundaries.empty(); });
     return result;
 }
 
@@ -124,6 +157,9 @@ Result<std::vector<PartRequest>> divide_request(const FillRequest& request,
         if (!part) {
             return tl::unexpected(part.error());
         }
+    }
+    if (!request.boundaries.empty()) {
+        return divide_boundaries(request, parts);
     }
     if (request.holes.empty() && request.edges.empty()) {
         return all_holes(request, parts);

@@ -111,6 +111,7 @@ struct Command {
 
 [[nodiscard]] std::shared_ptr<Command> add_inspect(CLI::App& app);
 [[nodiscard]] std::shared_ptr<Command> add_fill(CLI::App& app);
+[[nodiscard]] std::shared_ptr<Command> add_bridge(CLI::App& app);
 [[nodiscard]] std::shared_ptr<Command> add_check(CLI::App& app);
 [[nodiscard]] std::shared_ptr<Command> add_convert(CLI::App& app);
 [[nodiscard]] std::shared_ptr<Command> add_methods(CLI::App& app);

@@ -11,6 +11,8 @@
 #include <fmt/format.h>
 #include <tbb/global_control.h>
 
+#include <algorithm>
+#include <array>
 #include <optional>
 
 namespace suture::cli {
@@ -27,6 +29,9 @@ constexpr CommandHelp kHelp{
     "  suture fill part.step -o filled.step --hole 2 5        two of those that `inspect` lists\n"
     "  suture fill part.step -o filled.step --hole 3+4        one face with an island\n"
     "  suture fill part.step -o filled.step --edges 12        the hole that has this edge\n"
+    "  suture fill sheets.step -o skin.step --boundary 1,5,9,13   a face over chosen edges\n"
+    "  suture fill part.step -o part2.step --replace-faces 12,13   these faces anew\n"
+    "  suture fill part.step -o part2.step --remove-faces 12      a fillet back to an edge\n"
     "  suture fill part.step -o filled.step --continuity G1 --edge-continuity 12=G2,13=G0\n"
     "  suture fill part.step -o filled.step --hole 2 --through scan.csv   points to pass\n"
     "  suture fill wing.igs -o wing.step --report wing.html   loose faces are sewn first\n"
@@ -34,9 +39,22 @@ constexpr CommandHelp kHelp{
     "Exit codes: 0 done, 4 done but out of tolerance or some hole refused, 3 no hole (nothing is "
     "written),\n2 the file cannot be read, 1 wrong usage, 5 the output could not be written.\n"};
 
+constexpr CommandHelp kBridgeHelp{
+    "Join two edges, rims or bodies with a smooth face",
+    "Make a face between two edges, or between two chains of edges. Along them it joins their "
+    "faces as "
+    "smoothly as these allow; its free sides are curves that leave both ends smoothly. Two closed "
+    "rims are joined by a tube. The edges may belong to one sheet, two sheets or two bodies, which "
+    "become one.",
+    "  suture bridge plates.step -o bridged.step --edges 3,17\n"
+    "  suture bridge pipes.step -o pipe.step --edges 2,8 --continuity G2\n"
+    "Exit codes: as those of `suture fill`.\n"};
+
 struct FillOptions {
     std::filesystem::path output;
     std::string holes, edges;
+    std::vector<std::string> boundaries;
+    std::string replace_faces, remove_faces;
     std::string method = "auto";
     std::vector<std::string> own;
     std::string continuity = "auto";
@@ -71,6 +89,37 @@ Result<void> take_positive(std::string_view option, const std::optional<double>&
     }
     target = *given * factor;
     return expect_positive(option, *given);
+}
+
+/// Faces over chosen edges, and faces that are to go.
+Result<void> take_borders(const FillOptions& options, FillSettings& settings) {
+    const std::array ways{!options.holes.empty() || !options.edges.empty() || options.all_loops,
+                          !options.boundaries.empty(), !options.replace_faces.empty(),
+                          !options.remove_faces.empty()};
+    if (std::ranges::count(ways, true) > 1) {
+        return fail(ErrorCode::Usage,
+                    "give holes (--hole, --edges, --all-loops), --boundary, --replace-faces or "
+                    "--remove-faces, one of these");
+    }
+    if (settings.grow && !(ways[0] || std::ranges::count(ways, true) == 0)) {
+        return fail(ErrorCode::Usage, "--grow is for holes; for faces there is --remove-faces");
+    }
+    for (const std::string& boundary : options.boundaries) {
+        auto& edges = settings.request.boundaries.emplace_back();
+        if (auto result = take(parse_edges(boundary), edges); !result) {
+            return result;
+        }
+        settings.load.content = io::Content::Curves;
+    }
+    for (const auto& [text, faces] : {std::pair(&options.replace_faces, &settings.replace_faces),
+                                      std::pair(&options.remove_faces, &settings.remove_faces)}) {
+        if (!text->empty()) {
+            if (auto result = take(parse_faces(*text), *faces); !result) {
+                return result;
+            }
+        }
+    }
+    return {};
 }
 
 /// Which holes, and how smooth.
@@ -158,15 +207,24 @@ Result<void> validate_fill(Command& command, FillOptions& options) {
         }
     }
     for (const auto& result :
-         {take_wishes(options, settings.request), take_limits(options, settings.request),
-          take_own(options, settings.request), validate_sewing(settings.load),
-          validate_mesh(options.mesh),
+         {take_borders(options, settings), take_wishes(options, settings.request),
+          take_limits(options, settings.request), take_own(options, settings.request),
+          validate_sewing(settings.load), validate_mesh(options.mesh),
           expect_writable("-o", options.output, command.input, force_of(options.force))}) {
         if (!result) {
             return result;
         }
     }
     settings.mesh = to_io(options.mesh);
+    return {};
+}
+
+/// What `bridge` has instead of the choice of holes.
+Result<void> take_bridge(FillOptions& options) {
+    options.boundaries = {options.edges};
+    options.edges.clear();
+    options.settings.request.connect = true;
+    options.settings.request.bridge = true;
     return {};
 }
 
@@ -177,6 +235,22 @@ void add_choice(CLI::App& app, FillOptions& options) {
     add_list(app, "--edges,--edge", options.edges,
              "Only the holes that have these edges (FreeCAD's EdgeN)")
         ->option_text("E...");
+    app.add_option("--boundary", options.boundaries,
+                   "A new face over these edges (FreeCAD's EdgeN), in any order: rims of one or "
+                   "more sheets, loose curves; once for each face")
+        ->allow_extra_args(false)
+        ->option_text("E...");
+    app.add_flag("--connect", options.settings.request.connect,
+                 "Bridge gaps between the ends of a --boundary by curves");
+    add_list(app, "--replace-faces", options.replace_faces,
+             "These faces (FreeCAD's FaceN) go, and what they leave is filled anew")
+        ->option_text("F...");
+    add_list(app, "--remove-faces", options.remove_faces,
+             "These faces go, and their neighbours grow together: a fillet becomes an edge again")
+        ->option_text("F...");
+    app.add_flag("--grow", options.settings.grow,
+                 "Let the neighbours of the holes grow together where they can, instead of a fill: "
+                 "an edge where a fillet was");
     app.add_flag("--all-loops", options.all_loops,
                  "Fill rims of open sheets and doubtful loops too");
 }
@@ -233,10 +307,12 @@ void add_wishes(CLI::App& app, FillOptions& options) {
     app.add_option("--jobs,-j", options.jobs, "Threads (default: all cores)")->option_text("N");
 }
 
-}  // namespace
-
-std::shared_ptr<Command> add_fill(CLI::App& app) {
-    auto command = add_command(app, "fill", kHelp);
+/// What `fill` and `bridge` have in common: all but the choice of what is filled.
+std::shared_ptr<Command> add_filling(CLI::App& app, const std::string& name,
+                                     const CommandHelp& help,
+                                     void (*choice)(CLI::App&, FillOptions&),
+                                     Result<void> (*prepare)(FillOptions&)) {
+    auto command = add_command(app, name, help);
     auto options = std::make_shared<FillOptions>();
     add_input(*command);
     CLI::App& sub = *command->app;
@@ -244,7 +320,7 @@ std::shared_ptr<Command> add_fill(CLI::App& app) {
                    "The file to write: .step .iges .brep, or a mesh .stl .off .obj .3mf")
         ->required()
         ->option_text("OUT");
-    add_choice(sub, *options);
+    choice(sub, *options);
     add_wishes(sub, *options);
     add_sewing(*command, options->settings.load);
     add_mesh(sub, options->mesh);
@@ -253,7 +329,9 @@ std::shared_ptr<Command> add_fill(CLI::App& app) {
     sub.add_flag("--force", options->force, "Allow OUT to be IN itself");
     add_batch_options(*command->app, true);
     Command* self = command.get();
-    command->validate = [options, self] { return validate_fill(*self, *options); };
+    command->validate = [options, self, prepare] {
+        return prepare(*options).and_then([&] { return validate_fill(*self, *options); });
+    };
     command->run = [options, self](Run& run) -> Result<Outcome> {
         std::optional<tbb::global_control> threads;
         if (options->jobs) {
@@ -277,6 +355,22 @@ std::shared_ptr<Command> add_fill(CLI::App& app) {
         return outcome;
     };
     return command;
+}
+
+}  // namespace
+
+std::shared_ptr<Command> add_fill(CLI::App& app) {
+    return add_filling(app, "fill", kHelp, add_choice, [](FillOptions&) { return Result<void>(); });
+}
+
+std::shared_ptr<Command> add_bridge(CLI::App& app) {
+    const auto choice = [](CLI::App& sub, FillOptions& options) {
+        add_list(sub, "--edges,--edge", options.edges,
+                 "The edges of both sides (FreeCAD's EdgeN), in any order")
+            ->required()
+            ->option_text("E...");
+    };
+    return add_filling(app, "bridge", kBridgeHelp, choice, take_bridge);
 }
 
 }  // namespace suture::cli

@@ -1,6 +1,7 @@
 #include "cli/fill_model.h"
 
 #include "cli/choose_holes.h"
+#include "cli/prepare.h"
 #include "cli/remeasure.h"
 #include "cli/reread.h"
 #include "files/stated_accuracy.h"
@@ -115,6 +116,10 @@ class FillJob {
             return tl::unexpected(parts.error());
         }
         parts_ = std::move(*parts);
+        summary_.changes = model_.changes;
+        if (model_.grown) {
+            return {};  // the neighbours have grown together: nothing is to be filled
+        }
         const int edges = occ::Numbering(model_.whole).edges.Extent();
         Result<std::vector<PartRequest>> requests =
             divide_request(settings_.request, parts_, edges);
@@ -447,6 +452,9 @@ class FillJob {
     }
 
     [[nodiscard]] int sides_of(const HoleReport& hole) const {
+        if (!hole.sides.empty()) {
+            return static_cast<int>(hole.sides.size());
+        }
         std::size_t sides = 0;
         for (const PartLoops& part : parts_) {
             for (const BoundaryLoop& loop : part.loops) {
@@ -508,6 +516,10 @@ Result<FillSummary> fill_model(Run& run, const FillSettings& settings) {
         if (!model) {
             return tl::unexpected(model.error());
         }
+        if (auto prepared = prepare_model(run, *model, settings, again.request); !prepared) {
+            return tl::unexpected(prepared.error());
+        }
+        again.request.reach = corner_reach(*model, settings.load, settings.request.tolerance);
         Result<FillSummary> summary = FillJob(run, again, std::move(*model)).run();
         if (!summary || settings.request.keep_bad) {
             return summary;

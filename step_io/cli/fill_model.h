@@ -22,6 +22,11 @@ struct FillSettings {
     FillRequest request;
     /// EdgeN of the model that the new face has to pass, besides request.through.
     std::vector<int> through_edges;
+    /// FaceN of the model: these go, and what they leave is filled; or the neighbours grow
+    /// together.
+    std::vector<int> replace_faces, remove_faces;
+    /// The neighbours of the chosen holes grow together, where they can, instead of a fill.
+    bool grow = false;
     io::MeshOptions mesh;
 };
 
@@ -53,6 +58,7 @@ struct FillSummary {
     Validity validity;
     MeasuredOn measured_on = MeasuredOn::Memory;
     SewingFacts sewing;
+    std::vector<std::string> changes;  ///< what was done to the model before, a sentence each
     std::string other_loops;  ///< where no loop is a hole: what else there is, and how to fill it
     io::ModelFile file;
     FillSeconds seconds;

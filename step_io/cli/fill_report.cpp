@@ -4,6 +4,7 @@
 #include "files/losses.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -161,7 +162,9 @@ std::string verdict_of(const Counts& counts, const FillSummary& summary,
                        const FillSettings& settings, const std::vector<Finding>& findings) {
     std::string text;
     const int wanted = counts.filled + counts.refused;
-    if (wanted == 0) {
+    if (wanted == 0 && !summary.changes.empty()) {
+        text = fmt::format("{}", fmt::join(summary.changes, "; "));
+    } else if (wanted == 0) {
         text = "no hole to fill; " + text_of(summary.sewing) + summary.other_loops;
     } else {
         text = fmt::format("filled {} of {}", counts.filled, counted(wanted, "hole"));
@@ -234,6 +237,9 @@ Outcome report_fill(const FillSummary& summary, const FillSettings& settings) {
     const bool good = counts.refused == 0 && severity == Severity::Good;
     outcome.exit_code = good ? kDone : kOutOfTolerance;
     outcome.verdict = verdict_of(counts, summary, settings, findings);
+    if (!summary.changes.empty()) {
+        outcome.sections.push_back({"Changes", Table({}), summary.changes});
+    }
     if (!summary.holes.empty()) {
         outcome.sections.push_back(hole_section(summary));
     }
@@ -255,6 +261,7 @@ Outcome report_fill(const FillSummary& summary, const FillSettings& settings) {
                         {"output_format", io::to_string(settings.format)},
                         {"model", json_of(summary.file)},
                         {"sewing", json_of(summary.sewing)},
+                        {"changes", summary.changes},
                         {"lost", lost},
                         {"tolerance",
                          {{"gap_mm", tolerance.linear},

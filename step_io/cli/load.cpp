@@ -2,7 +2,6 @@
 
 #include "cli/console.h"
 #include "cli/table.h"
-#include "files/read.h"
 #include "suture/detect/find_loops.h"
 
 #include <fmt/format.h>
@@ -83,7 +82,7 @@ Result<LoadedModel> load_model(Run& run, const std::filesystem::path& file,
     const Stopwatch reading;
     const Progress progress =
         run.stage(Stage::Reading, "reading " + file.filename().string(), 0.0, to * kReadingShare);
-    Result<io::ModelFile> read = io::read_model(file, progress);
+    Result<io::ModelFile> read = io::read_model(file, progress, options.content);
     if (!read) {
         return tl::unexpected(read.error());
     }
@@ -111,10 +110,11 @@ Result<LoadedModel> load_model(Run& run, const std::filesystem::path& file,
 
 Result<std::vector<PartLoops>> find_model_loops(const LoadedModel& model) {
     const occ::Numbering whole(model.whole);
+    const TopoDS_Shape now = model.file.shape();
     std::vector<PartLoops> result;
     int ids = 0;
     for (io::Part& part : model.file.parts()) {
-        const auto placement = occ::placement_of(part.shape, model.whole);
+        const auto placement = occ::placement_of(part.shape, now);
         if (!placement) {
             return fail(ErrorCode::Internal, "part '{}' stands nowhere in its own model",
                         part.name);

@@ -2,6 +2,7 @@
 
 #include "cli/command.h"
 #include "files/model_file.h"
+#include "files/read.h"
 #include "suture/detect/boundary_loop.h"
 #include "suture/occ/topology.h"
 #include "suture/sew/sew_shape.h"
@@ -19,6 +20,7 @@ namespace suture::cli {
 struct LoadOptions {
     bool sew = true;                      ///< what lies on each other: faces, shells, cracks
     std::optional<double> sew_tolerance;  ///< none: from the model
+    io::Content content = io::Content::Faces;
 };
 
 /// What sewing has done to the whole model.
@@ -43,8 +45,12 @@ struct SewingFacts {
 /// A model as read and sewn.
 struct LoadedModel {
     io::ModelFile file;
-    TopoDS_Shape whole;  ///< file.shape() after sewing: EdgeN and FaceN are its numbers
+    /// file.shape() after sewing: EdgeN and FaceN are its numbers, also where what has been chosen
+    /// by them has changed the file's shape since.
+    TopoDS_Shape whole;
     SewingFacts sewing;
+    std::vector<std::string> changes;  ///< what has been done to it besides, a sentence each
+    bool grown = false;                ///< neighbours have grown together: nothing is left to fill
     double seconds_read = 0.0;
     double seconds_sew = 0.0;
 };

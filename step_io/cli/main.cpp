@@ -400,8 +400,8 @@ int run_program(std::vector<std::string> words) {
     app.require_subcommand(1);
     app.formatter(std::make_shared<HelpFormatter>());  // the commands inherit it
     const std::vector<std::shared_ptr<Command>> commands{
-        add_inspect(app), add_fill(app),    add_check(app), add_convert(app),  add_sew(app),
-        add_patch(app),   add_methods(app), add_demo(app),  add_algebraic(app)};
+        add_inspect(app), add_fill(app),  add_bridge(app),  add_check(app), add_convert(app),
+        add_sew(app),     add_patch(app), add_methods(app), add_demo(app),  add_algebraic(app)};
     if (!words.empty() && words.front() == "describe") {  // for packages, so not in the help
         const Result<std::string> text = describe(app, {words.begin() + 1, words.end()});
         return text ? print_result(ResultStream(false), *text, kDone)

@@ -33,8 +33,7 @@ class HoleFinder {
             }
         }
         for (const SideReport& side : hole.sides) {
-            const Signature edge =
-                signature_in_model(part.before->numbering.edges(side.edge), part);
+            const Signature edge = signature_in_model(side.on_edge, part);
             // Another part of the model may have an edge in the same place.
             const int number = edges_.find(edge, borders);
             place.sides.push_back(number > 0 ? number : edges_.find(edge));

@@ -8,6 +8,7 @@
 #include <TopoDS_Compound.hxx>
 
 #include <algorithm>
+#include <functional>
 #include <map>
 
 namespace suture::io {
@@ -29,18 +30,22 @@ bool is_loose(const TopoDS_Shape& shape) {
     return true;
 }
 
-/// Collects the loose faces of a model, each where it stands and with its look.
-class LooseFaces {
+/// Collects some of the shapes of a model, each where it stands, and the looks of their faces.
+class Gathering {
   public:
-    explicit LooseFaces(const Document& document) : looks_(document) {
+    /// Input  wanted: of a part's shape and the place where it stands, whether it is taken.
+    Gathering(const Document& document,
+              std::function<bool(const TopoDS_Shape&, const TopLoc_Location&)> wanted)
+        : looks_(document), wanted_(std::move(wanted)) {
         for (const TDF_Label& root : roots_of(document)) {
             visit(root, TopLoc_Location());
         }
     }
 
     [[nodiscard]] const TopTools_IndexedMapOfShape& faces() const { return faces_; }
+    [[nodiscard]] const std::vector<TopoDS_Shape>& shapes() const { return shapes_; }
     [[nodiscard]] const Look& look(int face) const { return face_looks_.at(face); }
-    /// The parts and components that the faces were taken from.
+    /// The parts and components that they were taken from.
     [[nodiscard]] const std::vector<TDF_Label>& occurrences() const { return occurrences_; }
 
   private:
@@ -52,12 +57,13 @@ class LooseFaces {
                 visit(component, location);
             }
         } else if (const TopoDS_Shape shape = XCAFDoc_ShapeTool::GetShape(target);
-                   is_loose(shape)) {
+                   wanted_(shape, location)) {
             if (std::ranges::find(occurrences_, label) == occurrences_.end()) {
                 occurrences_.push_back(label);
             }
             Look look = looks_.of(label, looks_.of(target, {}));
             look.name = name_of(target);  // not the instance's
+            shapes_.push_back(shape.Moved(location));
             take(target, shape, location, look);
         }
     }
@@ -82,6 +88,8 @@ class LooseFaces {
     }
 
     Looks looks_;
+    std::function<bool(const TopoDS_Shape&, const TopLoc_Location&)> wanted_;
+    std::vector<TopoDS_Shape> shapes_;
     TopTools_IndexedMapOfShape faces_;
     std::map<int, Look> face_looks_;
     std::vector<TDF_Label> occurrences_;
@@ -110,33 +118,65 @@ void remove(const Document& document, const TDF_Label& occurrence) {
     }
 }
 
+/// Makes one part of what was gathered, in the place of all that it was taken from.
+TDF_Label make_part(const ModelFile& model, const Gathering& gathered, const TopoDS_Shape& all) {
+    const std::vector<TDF_Label> roots = roots_of(model.document);
+    const std::string name = roots.size() == 1 ? name_of(roots.front()) : std::string();
+    for (const TDF_Label& occurrence : gathered.occurrences()) {
+        remove(model.document, occurrence);
+    }
+    const occ::Handle<XCAFDoc_ShapeTool> tool = shapes_of(model.document);
+    const TDF_Label part = tool->AddShape(all, false);
+    set_name(part, name.empty() ? model.path.stem().string() : name);
+    const Looks looks(model.document);
+    for (int i = 1; i <= gathered.faces().Extent(); ++i) {
+        looks.set(tool->AddSubShape(part, gathered.faces()(i)), gathered.look(i));
+    }
+    tool->UpdateAssemblies();
+    return part;
+}
+
 }  // namespace
 
 void ModelFile::merge_loose() {
-    const LooseFaces loose(document);
+    const Gathering loose(document, [](const TopoDS_Shape& shape, const TopLoc_Location&) {
+        return is_loose(shape);
+    });
     if (loose.occurrences().size() < 2) {
         return;
     }
-    const std::vector<TDF_Label> roots = roots_of(document);
-    const std::string name = roots.size() == 1 ? name_of(roots.front()) : std::string();
-    for (const TDF_Label& occurrence : loose.occurrences()) {
-        remove(document, occurrence);
-    }
-
     const BRep_Builder builder;
     TopoDS_Compound all;
     builder.MakeCompound(all);
     for (int i = 1; i <= loose.faces().Extent(); ++i) {
         builder.Add(all, loose.faces()(i));
     }
-    const occ::Handle<XCAFDoc_ShapeTool> tool = shapes_of(document);
-    const TDF_Label part = tool->AddShape(all, false);
-    set_name(part, name.empty() ? path.stem().string() : name);
-    const Looks looks(document);
-    for (int i = 1; i <= loose.faces().Extent(); ++i) {
-        looks.set(tool->AddSubShape(part, loose.faces()(i)), loose.look(i));
+    make_part(*this, loose, all);
+}
+
+void ModelFile::unite(const TopTools_IndexedMapOfShape& edges) {
+    TopTools_IndexedMapOfShape open = edges;  // those that no part has been found for
+    const Gathering holders(document,
+                            [&](const TopoDS_Shape& shape, const TopLoc_Location& location) {
+                                TopTools_IndexedMapOfShape own;
+                                TopExp::MapShapes(shape.Moved(location), TopAbs_EDGE, own);
+                                bool holds = false;
+                                for (int i = 1; i <= own.Extent(); ++i) {
+                                    holds = open.RemoveKey(own(i)) || holds;
+                                }
+                                return holds;
+                            });
+    const bool one_part = holders.shapes().size() == 1 && has_face(holders.shapes().front());
+    if (holders.shapes().empty() || one_part) {
+        return;
     }
-    tool->UpdateAssemblies();
+    const BRep_Builder builder;
+    TopoDS_Compound all;
+    builder.MakeCompound(all);
+    for (const TopoDS_Shape& shape : holders.shapes()) {
+        builder.Add(all, shape);
+    }
+    united = make_part(*this, holders, all);
 }
 
 }  // namespace suture::io

@@ -18,6 +18,8 @@ namespace {
 /// Walks the assembly tree and counts how often each part stands in it.
 class PartCollector {
   public:
+    explicit PartCollector(const TDF_Label& united) : united_(united) {}
+
     void visit(const TDF_Label& label) {
         const TDF_Label target = referred(label);
         if (XCAFDoc_ShapeTool::IsAssembly(target)) {
@@ -31,7 +33,7 @@ class PartCollector {
             return;
         }
         const TopoDS_Shape shape = XCAFDoc_ShapeTool::GetShape(target);
-        if (has_face(shape)) {
+        if (has_face(shape) || target == united_) {
             numbers_.Bind(target, static_cast<int>(parts_.size()));
             parts_.push_back({target, name_of(target), shape, 1});
         }
@@ -39,6 +41,7 @@ class PartCollector {
     [[nodiscard]] std::vector<Part> parts() { return std::move(parts_); }
 
   private:
+    TDF_Label united_;
     std::vector<Part> parts_;
     TDF_LabelIntegerMap numbers_;
 };
@@ -82,7 +85,7 @@ class Successors {
 }  // namespace
 
 std::vector<Part> ModelFile::parts() const {
-    PartCollector collector;
+    PartCollector collector(united);
     for (const TDF_Label& root : roots_of(document)) {
         collector.visit(root);
     }

@@ -6,6 +6,7 @@
 #include <TDF_Label.hxx>
 #include <TDocStd_Document.hxx>
 #include <TopTools_DataMapOfShapeShape.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS_Face.hxx>
 #include <TopoDS_Shape.hxx>
 
@@ -44,8 +45,10 @@ struct ModelFile {
     Origin origin;
     std::vector<std::string> notes;          ///< what reading had to leave out, a sentence each
     std::vector<std::string> missing_files;  ///< STEP: files of parts that are not read
+    TDF_Label united;                        ///< the part that unite has made, if it has
 
-    /// Every part that has a face, each once, in the order of the assembly tree.
+    /// Every part that has a face, and the one that unite has made, each once, in the order of the
+    /// assembly tree.
     [[nodiscard]] std::vector<Part> parts() const;
 
     /// The whole model as one shape: the free shapes, in a compound if there are several. EdgeN and
@@ -70,6 +73,13 @@ struct ModelFile {
     /// colours and layers become those of the faces. Does nothing if there are fewer than two. The
     /// read_model of an IGES file has done so already.
     void merge_loose();
+
+    /// Makes one part of all occurrences that hold some of these edges, bodies and loose curves, so
+    /// that a face can join them: a compound of them where they stand in the model. Their faces
+    /// keep their looks. Does nothing where they all lie in one part with faces.
+    ///
+    /// Input    edges: of shape().
+    void unite(const TopTools_IndexedMapOfShape& edges);
 };
 
 }  // namespace suture::io

@@ -14,6 +14,8 @@
 
 #include <fmt/ranges.h>
 
+#include <TopExp_Explorer.hxx>
+
 namespace suture::io {
 
 namespace {
@@ -76,7 +78,8 @@ void close_external_references() {
     follow_external_references = false;
 }
 
-Result<ModelFile> read_model(const std::filesystem::path& file, const Progress& progress) {
+Result<ModelFile> read_model(const std::filesystem::path& file, const Progress& progress,
+                             Content content) {
     progress(0.0, "read");
     const Result<Format> format = format_of_content(file);
     if (!format) {
@@ -105,7 +108,9 @@ Result<ModelFile> read_model(const std::filesystem::path& file, const Progress& 
     if (!done) {
         return tl::unexpected(unreadable(done.error(), file));
     }
-    if (!has_face(model.shape())) {
+    const bool curves =
+        content == Content::Curves && TopExp_Explorer(model.shape(), TopAbs_EDGE).More();
+    if (!has_face(model.shape()) && !curves) {
         return tl::unexpected(no_face(model));
     }
     if (!model.missing_files.empty()) {

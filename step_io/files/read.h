@@ -16,6 +16,9 @@ void forget_face_names();
 /// starts.
 void close_external_references();
 
+/// What a file has to hold.
+enum class Content { Faces, Curves };
+
 /// Reads STEP, IGES, BREP or FreeCAD's binary BREP; the type is told by the content. Faces with an
 /// edge that has no curve are left out; ModelFile::notes names them.
 ///
@@ -23,9 +26,11 @@ void close_external_references();
 /// job under supervise() (cli/supervise.h) or in occ::run_isolated.
 /// Of an assembly whose parts lie in other STEP files, only those in the folder of the file or
 /// below are read; ModelFile::missing_files names the others.
-/// Refuses  (Unreadable) what OCCT cannot read, a file without any face, and numbers that no work
+/// Input    content: whether a file that has curves alone will do.
+/// Refuses  (Unreadable) what OCCT cannot read, a file without any face (edge), and numbers that no work
 ///          can bear (files/check_numbers.h).
 [[nodiscard]] Result<ModelFile> read_model(const std::filesystem::path& file,
-                                           const Progress& progress);
+                                           const Progress& progress,
+                                           Content content = Content::Faces);
 
 }  // namespace suture::io

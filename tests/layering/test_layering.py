@@ -15,6 +15,7 @@ ALLOWED = {
     "fill": ["base", "spline", "model"],
     "occ": ["base", "spline", "model"],
     "detect": ["base", "spline", "model", "occ"],
+    "edges": ["base", "occ", "detect"],
     "ribbon": ["base", "spline", "model", "occ", "detect"],
     "candidates": CORE + ["occ", "detect", "ribbon"],
     "occt_filling": CORE + ["occ", "detect", "ribbon"],

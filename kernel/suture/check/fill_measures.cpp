@@ -1,5 +1,6 @@
 #include "suture/check/fill_measures.h"
 
+#include "suture/check/measure_free_edge.h"
 #include "suture/check/point_distance.h"
 #include "suture/occ/guard.h"
 
@@ -62,10 +63,15 @@ FillMeasures measures_of(const FillPlace& place, const std::set<int>& own,
         edge.edge = number;
         return edge;
     };
+    const auto measured_side = [&](int number) {
+        return std::binary_search(report.free_edges.begin(), report.free_edges.end(), number)
+                   ? measure_free_edge(number, numbering)
+                   : measured(number);
+    };
     std::set<int> all = own;
     std::set<int> inner = own;
     for (const int side : place.sides) {
-        measures.sides.push_back(measured(side));
+        measures.sides.push_back(measured_side(side));
         inner.erase(side);
         if (side > 0) {
             all.insert(side);

@@ -15,6 +15,17 @@ void add_corner(const Ribbon& before, const Ribbon& after, AskedSide& side) {
     const RibbonPoint a = before.at(1.0);
     const RibbonPoint b = after.at(0.0);
     side.corner_gap = std::max(side.corner_gap, (a.point - b.point).norm());
+    if (is_free(before) || is_free(after)) {
+        // A tangent face has to hold the curve: by how much that leaves the neighbour's plane.
+        const Eigen::Vector3d normal = is_free(before) ? b.normal : a.normal;
+        const Eigen::Vector3d curve = is_free(before) ? a.tangent : b.tangent;
+        if (is_free(before) != is_free(after)) {
+            side.corner_angle =
+                std::max(side.corner_angle,
+                         std::asin(std::min(1.0, std::abs(normal.dot(curve.normalized())))));
+        }
+        return;
+    }
     side.corner_angle = std::max(
         side.corner_angle, std::atan2(a.normal.cross(b.normal).norm(), a.normal.dot(b.normal)));
 }
@@ -33,6 +44,7 @@ AskedFill asked_of(const std::vector<BoundaryLoop>& loops, const Hole& hole,
         for (std::size_t i = 0; i < n; ++i) {
             AskedSide side;
             side.edge = ribbons[i].edge;
+            side.alone = is_free(ribbons[i]);
             side.continuity = ribbons[i].continuity;
             side.tolerance = BRep_Tool::Tolerance(loops[l].edges[i].edge);
             add_corner(ribbons[(i + n - 1) % n], ribbons[i], side);

@@ -6,6 +6,8 @@
 
 #include <Eigen/Core>
 
+#include <TopoDS_Edge.hxx>
+
 #include <optional>
 #include <string>
 #include <string_view>
@@ -30,8 +32,9 @@ struct PatchFacts {
 
 /// How one side of a fill came out.
 struct SideReport {
-    int edge = 0;  ///< EdgeN in the input
-    int face = 0;  ///< the neighbour, FaceN in the input
+    int edge = 0;         ///< EdgeN in the input; 0: a curve that was made
+    int face = 0;         ///< the neighbour, FaceN in the input; 0: there is none
+    TopoDS_Edge on_edge;  ///< the edge itself, in the part's own coordinates
     Continuity requested = Continuity::G1;
     std::string reason;  ///< why auto asked for just that
     double gap = 0.0, angle = 0.0, curvature_mismatch = 0.0;

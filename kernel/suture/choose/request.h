@@ -21,7 +21,14 @@ namespace suture {
 struct FillRequest {
     std::vector<std::vector<int>> holes;  ///< loop ids; several in one entry: one face with islands
     std::vector<int> edges;               ///< EdgeN: the loops that contain them
-    bool all_loops = false;               ///< rims and ambiguous loops too
+    /// EdgeN: each entry bounds one new face, with or without neighbours; instead of holes and
+    /// edges
+    std::vector<std::vector<int>> boundaries;
+    int first_new_id = 1;    ///< ids of those that are no loop of the shape
+    bool bridge = false;     ///< each boundary has to be two chains or two closed rims
+    bool connect = false;    ///< bridge gaps in them by curves
+    double reach = 0.0;      ///< gaps in them up to this close by themselves
+    bool all_loops = false;  ///< rims and ambiguous loops too
     std::string method = "auto";
     OptionValues options;                       ///< the method's own
     std::optional<Continuity> continuity;       ///< none: auto

@@ -53,7 +53,9 @@ bool fillable(LoopKind kind, bool all_loops) {
            (all_loops && (kind == LoopKind::Rim || kind == LoopKind::Ambiguous));
 }
 
-HoleReport skipped(const BoundaryLoop& loop) {
+}  // namespace
+
+HoleReport skipped_report(const BoundaryLoop& loop) {
     HoleReport report;
     report.ids = {loop.id};
     report.status = FillStatus::Skipped;
@@ -62,8 +64,6 @@ HoleReport skipped(const BoundaryLoop& loop) {
                         : std::string(to_string(loop.kind)) + ": " + loop.reason;
     return report;
 }
-
-}  // namespace
 
 Result<Selection> select_holes(const std::vector<BoundaryLoop>& loops, const FillRequest& request) {
     std::vector<std::vector<int>> groups;
@@ -97,7 +97,7 @@ Result<Selection> select_holes(const std::vector<BoundaryLoop>& loops, const Fil
     }
     for (const BoundaryLoop& loop : loops) {
         if (!taken.contains(loop.id)) {
-            selection.skipped.push_back(skipped(loop));
+            selection.skipped.push_back(skipped_report(loop));
         }
     }
     if (selection.holes.empty()) {

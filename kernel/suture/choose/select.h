@@ -23,4 +23,7 @@ struct Selection {
 [[nodiscard]] Result<Selection> select_holes(const std::vector<BoundaryLoop>& loops,
                                              const FillRequest& request);
 
+/// The report of a loop that is not filled, and why.
+[[nodiscard]] HoleReport skipped_report(const BoundaryLoop& loop);
+
 }  // namespace suture

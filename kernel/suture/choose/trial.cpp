@@ -50,12 +50,21 @@ CopiedHole copy_of(const Site& site) {
     for (const TopoDS_Face& face : faces_around(site, /*meeting=*/true)) {
         builder.Add(originals, face);
     }
+    for (const BoundaryLoop& loop : site.loops) {
+        for (const BoundaryEdge& edge : loop.edges) {
+            if (edge.face.IsNull()) {
+                builder.Add(originals, edge.edge);
+            }
+        }
+    }
     BRepBuilderAPI_Copy copy(originals, /*copyGeom=*/Standard_False, /*copyMesh=*/Standard_False);
     CopiedHole result{TopoDS::Compound(copy.Shape()), site.loops};
     for (BoundaryLoop& loop : result.loops) {
         for (BoundaryEdge& edge : loop.edges) {
-            edge.face =
-                TopoDS::Face(copy.ModifiedShape(edge.face).Oriented(edge.face.Orientation()));
+            if (!edge.face.IsNull()) {
+                edge.face =
+                    TopoDS::Face(copy.ModifiedShape(edge.face).Oriented(edge.face.Orientation()));
+            }
             edge.edge =
                 TopoDS::Edge(copy.ModifiedShape(edge.edge).Oriented(edge.edge.Orientation()));
         }

@@ -145,7 +145,7 @@ double least_steepness(const Hole& hole, const Opening& opening) {
     double least = kPi / 2.0;
     for (const RibbonLoop& loop : hole.loops) {
         for (const Ribbon& ribbon : loop.ribbons) {
-            if (lies_in_opening(ribbon, opening)) {
+            if (is_free(ribbon) || lies_in_opening(ribbon, opening)) {
                 continue;
             }
             least = std::min(least, steepness_along(ribbon, opening).first);
@@ -155,6 +155,9 @@ double least_steepness(const Hole& hole, const Opening& opening) {
 }
 
 double mismatch(const Ribbon& before, const Ribbon& after) {
+    if (is_free(before) || is_free(after)) {
+        return 0.0;  // a curve has no normal of its own
+    }
     const Vector3d a = before.at(1.0).normal;
     const Vector3d b = after.at(0.0).normal;
     return std::atan2(a.cross(b).norm(), a.dot(b));
@@ -175,6 +178,9 @@ struct Joint {
 
 /// Why no surface can have the curvature of both neighbours there; empty if one can.
 std::string curvature_conflict(const Joint& joint, double diameter) {
+    if (is_free(joint.before) || is_free(joint.after)) {
+        return "the curve beside it, whose own curvature no face has to have";
+    }
     if (mismatch(joint.before, joint.after) > kSameNormal) {
         return fmt::format("the normals of faces {} and {} differ by {:.2g} deg where they meet",
                            joint.before.face, joint.after.face,
@@ -249,6 +255,11 @@ std::optional<Wish> wish_of_opening(const Ribbon& ribbon, const Opening& opening
 
 /// What the request says of one side.
 std::optional<Wish> asked(const Ribbon& ribbon, const FillRequest& request) {
+    if (is_free(ribbon)) {
+        return Wish{Continuity::G0, ribbon.edge == 0
+                                        ? "a curve that was made to close the border"
+                                        : fmt::format("edge {} has no face", ribbon.edge)};
+    }
     const auto own = request.edge_continuity.find(ribbon.edge);
     if (own != request.edge_continuity.end()) {
         return Wish{own->second, "as asked for this edge"};
@@ -297,7 +308,7 @@ std::vector<bool> walls_of(const Hole& hole) {
     const Opening opening = opening_of(hole);
     const bool shallow = opening.height <= kShallow * hole.diameter;
     return sides_where(hole, [&](const Ribbon& ribbon) {
-        return shallow && steepness_along(ribbon, opening).first > kSteep;
+        return shallow && !is_free(ribbon) && steepness_along(ribbon, opening).first > kSteep;
     });
 }
 

@@ -18,10 +18,16 @@ struct Wish {
     bool wall = false;      ///< given up where the neighbour stands on the opening like a wall
 };
 
+/// Whether a side is a curve alone: the new face ends there, and nothing but its place is given.
+[[nodiscard]] inline bool is_free(const Ribbon& ribbon) {
+    return ribbon.face == 0;
+}
+
 /// What to ask for along each side, side by side in the order of the loops.
 ///
-/// What the request says holds. Else (auto) G2 if the method can and the neighbours agree in normal
-/// and curvature at both ends of the side, otherwise G1, but G0
+/// Along a curve without a face there is only position. What the request says holds. Else (auto) G2
+/// if the method can and the neighbours agree in normal and curvature at both ends of the side,
+/// otherwise G1, but G0
 ///  - all around an opening on whose best plane all neighbours stand steeply (the end of a duct, a
 ///    box without a lid): a tangent fill would be a dome that nobody drew;
 ///  - along a side whose neighbour lies in a planar opening itself;

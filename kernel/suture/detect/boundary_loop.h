@@ -12,12 +12,13 @@
 
 namespace suture {
 
-/// A free edge of a shell as the loop walks it, with the one face that uses it.
+/// A free edge of a shell as the loop walks it, with the one face that uses it. Among chosen edges
+/// there are also curves without any face.
 struct BoundaryEdge {
     TopoDS_Edge edge;     ///< oriented so that walking it has the hole on the left, seen against
                           ///< the outward normal of `face`: opposite to its use in the face
-    TopoDS_Face face;     ///< oriented as in its shell
-    int edge_number = 0;  ///< EdgeN of the model, 1-based
+    TopoDS_Face face;     ///< oriented as in its shell; null: a curve that no face uses
+    int edge_number = 0;  ///< EdgeN of the model, 1-based; 0: a curve that was made
     int face_number = 0;  ///< FaceN of the model, 1-based
 };
 
@@ -42,6 +43,7 @@ struct BoundaryLoop {
     double length = 0.0;            ///< model units
     double diameter = 0.0;          ///< diagonal of the bounding box, model units
     bool planar = false;            ///< all points within 1e-6 of the diameter of one plane
+    double corner_reach = 0.0;      ///< corners whose ends are up to this far apart close as well
     double gap = 0.0;               ///< for seams: the largest distance to the other side
     std::string reason;             ///< one sentence: why it has this kind
 };

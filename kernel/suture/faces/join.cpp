@@ -45,13 +45,41 @@ class Joiner {
         }
     }
 
-    /// The shape with every carrier in its new form.
+    /// The shape with every carrier in its new form, and with the shells of faces that stand on
+    /// none.
+    [[nodiscard]] TopoDS_Shape rebuilt_whole(const TopoDS_Shape& shape) const {
+        TopoDS_Shape whole = rebuilt(shape);
+        std::vector<TopoDS_Shape> alone;
+        for (const int number : standalone_) {
+            if (const TopoDS_Shape made = rebuilt_carrier(number); !made.IsNull()) {
+                alone.push_back(as_solid(made));
+            }
+        }
+        if (alone.empty()) {
+            return whole;
+        }
+        TopoDS_Compound all;
+        BRep_Builder().MakeCompound(all);
+        if (!whole.IsNull() && whole.ShapeType() == TopAbs_COMPOUND) {
+            for (TopoDS_Iterator it(whole); it.More(); it.Next()) {
+                add(all, it.Value());
+            }
+        } else if (!whole.IsNull()) {
+            add(all, whole);
+        }
+        for (const TopoDS_Shape& shell : alone) {
+            add(all, shell);
+        }
+        return all;
+    }
+
+    /// The shape with every carrier in its new form; null if nothing is left of it.
     [[nodiscard]] TopoDS_Shape rebuilt(const TopoDS_Shape& shape) const {
         if (const int* number = carrier_of_.Seek(shape)) {
             return rebuilt_carrier(*number);
         }
         if (shape.ShapeType() > TopAbs_SHELL) {
-            return shape;
+            return bounds_new_face(shape) ? TopoDS_Shape() : shape;
         }
         bool changed = false;
         std::vector<TopoDS_Shape> children;
@@ -64,6 +92,9 @@ class Joiner {
         }
         if (!changed) {
             return shape;
+        }
+        if (children.empty()) {
+            return {};  // all of it was merged into another body
         }
         TopoDS_Shape copy = shape.EmptyCopied();
         if (shape.ShapeType() == TopAbs_COMPOUND) {
@@ -170,7 +201,14 @@ class Joiner {
                 }
             }
         }
-        SUTURE_EXPECTS(!leaders.empty());  // new faces stand on the shape's own edges
+        for (TopExp_Explorer it(face, TopAbs_EDGE); it.More(); it.Next()) {
+            new_edges_.Add(it.Current());
+        }
+        if (leaders.empty()) {  // it stands on curves alone
+            standalone_.push_back(static_cast<int>(carriers_.size()));
+            add_carrier(face);
+            return;
+        }
         const int leader = *leaders.begin();
         for (Carrier& other : carriers_) {
             if (other.leader != leader && leaders.contains(other.leader)) {
@@ -200,11 +238,17 @@ class Joiner {
             BRep_Builder().MakeShell(made);
             shell = made;
         }
+        std::vector<TopoDS_Shape> sheets;
         for (const Carrier& member : carriers_) {
-            if (member.leader != number) {
-                continue;
+            if (member.leader == number) {
+                sheets.push_back(member.shape);
             }
-            for (TopExp_Explorer it(member.shape, TopAbs_FACE); it.More(); it.Next()) {
+        }
+        if (sheets.size() > 1) {
+            face_alike(self.added, sheets);
+        }
+        for (const TopoDS_Shape& sheet : sheets) {
+            for (TopExp_Explorer it(sheet, TopAbs_FACE); it.More(); it.Next()) {
                 add(shell, it.Current());
             }
         }
@@ -215,7 +259,57 @@ class Joiner {
         return shell;
     }
 
+    /// Whether a loose curve is a border of new faces now, and nothing else any more.
+    [[nodiscard]] bool bounds_new_face(const TopoDS_Shape& curve) const {
+        if (curve.ShapeType() != TopAbs_EDGE && curve.ShapeType() != TopAbs_WIRE) {
+            return false;
+        }
+        for (TopExp_Explorer it(curve, TopAbs_EDGE); it.More(); it.Next()) {
+            if (!new_edges_.Contains(it.Current())) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    /// Turns over the sheets that face the other way than the new faces which join them.
+    static void face_alike(const std::vector<TopoDS_Face>& added,
+                           std::vector<TopoDS_Shape>& sheets) {
+        std::vector<TopoDS_Shape> queue(added.begin(), added.end());
+        std::vector<bool> reached(sheets.size(), false);
+        for (std::size_t k = 0; k < queue.size(); ++k) {
+            for (std::size_t i = 0; i < sheets.size(); ++i) {
+                const int sense = reached[i] ? 0 : common_sense(queue[k], sheets[i]);
+                if (sense != 0) {
+                    reached[i] = true;
+                    if (sense > 0) {
+                        sheets[i].Reverse();
+                    }
+                    queue.push_back(sheets[i]);
+                }
+            }
+        }
+    }
+
+    /// Above zero if two shapes use most of the edges that they share in one direction, below if
+    /// against each other, as neighbours do; zero if they share none.
+    static int common_sense(const TopoDS_Shape& one, const TopoDS_Shape& two) {
+        TopTools_IndexedMapOfShape edges;
+        for (TopExp_Explorer it(one, TopAbs_EDGE); it.More(); it.Next()) {
+            edges.Add(it.Current());
+        }
+        int sense = 0;
+        for (TopExp_Explorer it(two, TopAbs_EDGE); it.More(); it.Next()) {
+            if (const int index = edges.FindIndex(it.Current()); index > 0) {
+                sense += edges(index).Orientation() == it.Current().Orientation() ? 1 : -1;
+            }
+        }
+        return sense;
+    }
+
     std::vector<Carrier> carriers_;
+    std::vector<int> standalone_;  ///< carriers that are new faces themselves
+    TopTools_IndexedMapOfShape new_edges_;
     TopTools_DataMapOfShapeInteger carrier_of_;
     TopTools_IndexedMapOfShape edges_;
     std::vector<std::map<int, int>> uses_;  // per edge: how often each carrier has it
@@ -227,7 +321,7 @@ class Joiner {
 Result<TopoDS_Shape> join(const TopoDS_Shape& shape, const std::vector<TopoDS_Face>& faces) {
     return occ::guarded("sewing the new faces in", [&]() -> TopoDS_Shape {
         const Joiner joiner(shape, faces);
-        return Joiner::as_solid(joiner.rebuilt(shape));
+        return Joiner::as_solid(joiner.rebuilt_whole(shape));
     });
 }
 

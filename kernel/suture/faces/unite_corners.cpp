@@ -31,11 +31,17 @@ void replace(const TopoDS_Edge& edge, const TopoDS_Vertex& old, const TopoDS_Ver
     changed.Free(was_free);
 }
 
-void unite(const TopoDS_Shape& shape, const TopoDS_Vertex& kept, const TopoDS_Vertex& old) {
+void unite(const TopoDS_Shape& shape, const std::vector<BoundaryLoop>& loops,
+           const TopoDS_Vertex& kept, const TopoDS_Vertex& old) {
     const double apart = BRep_Tool::Pnt(kept).Distance(BRep_Tool::Pnt(old));
     BRep_Builder().UpdateVertex(kept, apart + BRep_Tool::Tolerance(old));
     for (const TopoDS_Edge& edge : occ::edges_of(shape)) {
         replace(edge, old, kept);
+    }
+    for (const BoundaryLoop& loop : loops) {  // curves that are not in the shape
+        for (const BoundaryEdge& side : loop.edges) {
+            replace(side.edge, old, kept);
+        }
     }
 }
 
@@ -51,8 +57,9 @@ void unite_corners(const TopoDS_Shape& shape, const std::vector<BoundaryLoop>& l
                 continue;
             }
             if (BRep_Tool::Pnt(end).Distance(BRep_Tool::Pnt(start)) <=
-                std::max(BRep_Tool::Tolerance(end), BRep_Tool::Tolerance(start))) {
-                unite(shape, start, end);
+                std::max(
+                    {BRep_Tool::Tolerance(end), BRep_Tool::Tolerance(start), loop.corner_reach})) {
+                unite(shape, loops, start, end);
             }
         }
     }

@@ -45,14 +45,17 @@ HoleReport begin_report(const std::vector<BoundaryLoop>& loops, const FillReques
     return report;
 }
 
-void report_wishes(const Hole& hole, const std::vector<Wish>& wishes, HoleReport& report) {
+void report_wishes(const std::vector<BoundaryLoop>& loops, const Hole& hole,
+                   const std::vector<Wish>& wishes, HoleReport& report) {
     report.continuity_requested = Continuity::G0;
-    for (const RibbonLoop& loop : hole.loops) {
-        for (const Ribbon& ribbon : loop.ribbons) {
+    for (std::size_t l = 0; l < loops.size(); ++l) {
+        for (std::size_t i = 0; i < loops[l].edges.size(); ++i) {
+            const Ribbon& ribbon = hole.loops[l].ribbons[i];
             const Wish& wish = wishes[report.sides.size()];
             SideReport& side = report.sides.emplace_back();
             side.edge = ribbon.edge;
             side.face = ribbon.face;
+            side.on_edge = loops[l].edges[i].edge;
             side.requested = wish.continuity;
             side.reason = wish.reason;
             report.continuity_requested = std::max(report.continuity_requested, wish.continuity);
@@ -118,7 +121,7 @@ ComputedFill compute_fill(const TopoDS_Shape& shape, const HolePlan& plan,
     auto choice = choose_smoothest({shape, plan.loops, plan.candidates}, computed.hole, wishes,
                                    request, request.tolerance);
     computed.seconds_choose = seconds_since(start);
-    report_wishes(computed.hole, wishes, computed.report);
+    report_wishes(plan.loops, computed.hole, wishes, computed.report);
     computed.report.asked = asked_of(plan.loops, computed.hole, wishes, request.tolerance);
     if (choice) {
         computed.seconds_fill = choice->seconds;

@@ -4,11 +4,16 @@
 #include "suture/choose/choose.h"
 #include "suture/choose/select.h"
 #include "suture/detect/find_loops.h"
+#include "suture/edges/chain.h"
 #include "suture/ribbon/extract.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <memory>
 #include <mutex>
+#include <set>
 
 namespace suture {
 namespace {
@@ -76,6 +81,39 @@ HolePlan plan_of(const TopoDS_Shape& shape, const occ::Numbering& numbering,
     return plan;
 }
 
+/// One hole for each boundary that was chosen edge by edge; the loops that are no part of any are
+/// left alone.
+Result<Selection> select_boundaries(const TopoDS_Shape& shape, const occ::Numbering& numbering,
+                                    const std::vector<BoundaryLoop>& loops,
+                                    const FillRequest& request) {
+    Selection selection;
+    std::set<int> taken;
+    int id = std::max(static_cast<int>(loops.size()), request.first_new_id - 1);
+    for (const std::vector<int>& edges : request.boundaries) {
+        auto chained = chain_edges(shape, numbering, loops,
+                                   {edges, request.reach, request.connect, request.bridge});
+        if (!chained) {
+            return tl::unexpected(chained.error());
+        }
+        for (BoundaryLoop& loop : *chained) {
+            if (loop.id > static_cast<int>(loops.size())) {
+                loop.id = ++id;
+            }
+            if (!taken.insert(loop.id).second) {
+                return fail(ErrorCode::Usage, "the edges {} are chosen for two faces",
+                            fmt::join(edges, ", "));
+            }
+        }
+        selection.holes.push_back(std::move(*chained));
+    }
+    for (const BoundaryLoop& loop : loops) {
+        if (!taken.contains(loop.id)) {
+            selection.skipped.push_back(skipped_report(loop));
+        }
+    }
+    return selection;
+}
+
 }  // namespace
 
 Result<FillPlan> plan_fills(const TopoDS_Shape& shape, const occ::Numbering& numbering,
@@ -87,7 +125,9 @@ Result<FillPlan> plan_fills(const TopoDS_Shape& shape, const occ::Numbering& num
     if (!loops) {
         return tl::unexpected(loops.error());
     }
-    const auto selection = select_holes(*loops, request);
+    const auto selection = request.boundaries.empty()
+                               ? select_holes(*loops, request)
+                               : select_boundaries(shape, numbering, *loops, request);
     if (!selection) {
         return tl::unexpected(selection.error());
     }

@@ -136,6 +136,10 @@ class Judge {
             for (const EdgeFacts& edge : *edges) {
                 Finding finding = make(FindingKind::OpenEdge, 1.0, 0.0);
                 const std::size_t side = side_of(edge.edge, measures);
+                if (edges == &measures.open_edges && side < asked_.sides.size() &&
+                    asked_.sides[side].alone) {
+                    continue;
+                }
                 finding.edge = side < asked_.sides.size() ? asked_.sides[side].edge : 0;
                 finding.at = edge.at;
                 finding.detail = detail;
@@ -351,17 +355,24 @@ Finding judge_problems(const std::vector<std::string>& after,
 }
 
 Continuity reached_by(const AskedFill& asked, const FillMeasures& measures) {
-    if (!measures.open_edges.empty() || !measures.crowded_edges.empty() ||
-        measures.lost_faces > 0) {
-        return Continuity::G0;
-    }
+    std::size_t ends = 0;  ///< sides where nothing but the new face is
     Continuity result = Continuity::G2;
-    for (const auto* edges : {&measures.sides, &measures.inner}) {
-        for (const EdgeContinuity& edge : *edges) {
-            result = std::min(result, reached(edge, asked.tolerance));
+    for (std::size_t i = 0; i < measures.sides.size(); ++i) {
+        const EdgeContinuity& side = measures.sides[i];
+        if (asked.sides[i].alone && side.faces[1] == 0) {
+            ++ends;
+        } else {
+            result = std::min(result, reached(side, asked.tolerance));
         }
     }
-    return result;
+    for (const EdgeContinuity& edge : measures.inner) {
+        result = std::min(result, reached(edge, asked.tolerance));
+    }
+    const bool open = measures.open_edges.size() > ends;
+    const bool single = ends == measures.sides.size();  // there is nothing to be smooth with
+    return open || single || !measures.crowded_edges.empty() || measures.lost_faces > 0
+               ? Continuity::G0
+               : result;
 }
 
 }  // namespace suture

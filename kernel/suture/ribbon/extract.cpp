@@ -3,6 +3,7 @@
 #include "suture/base/tolerance.h"
 #include "suture/occ/convert.h"
 #include "suture/occ/guard.h"
+#include "suture/ribbon/free_side.h"
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>
@@ -240,28 +241,6 @@ Result<void> measure(const Ribbon& ribbon, Box& box) {
     return {};
 }
 
-Result<Hole> extract(const std::vector<BoundaryLoop>& loops) {
-    Hole hole;
-    Box box;
-    for (const BoundaryLoop& loop : loops) {
-        RibbonLoop ribbons;
-        for (const BoundaryEdge& edge : loop.edges) {
-            auto ribbon = ribbon_of(edge);
-            if (!ribbon) {
-                return tl::unexpected(ribbon.error());
-            }
-            if (auto measured = measure(*ribbon, box); !measured) {
-                return tl::unexpected(measured.error());
-            }
-            hole.tolerance = std::max(hole.tolerance, BRep_Tool::Tolerance(edge.edge));
-            ribbons.ribbons.push_back(std::move(*ribbon));
-        }
-        hole.loops.push_back(std::move(ribbons));
-    }
-    hole.diameter = (box.high - box.low).norm();
-    return hole;
-}
-
 /// Twice the area that a loop encloses, as a vector along its outward side.
 Vector3d area_vector(const RibbonLoop& loop) {
     const Vector3d origin = loop.ribbons.front().at(0.0).point;
@@ -274,6 +253,52 @@ Vector3d area_vector(const RibbonLoop& loop) {
         }
     }
     return area;
+}
+
+/// The ribbons of a loop; those of curves without a face as yet without normals.
+Result<RibbonLoop> ribbons_of(const BoundaryLoop& loop) {
+    RibbonLoop ribbons;
+    for (const BoundaryEdge& edge : loop.edges) {
+        auto ribbon = edge.face.IsNull() ? free_ribbon(edge) : ribbon_of(edge);
+        if (!ribbon) {
+            return tl::unexpected(ribbon.error());
+        }
+        ribbons.ribbons.push_back(std::move(*ribbon));
+    }
+    return ribbons;
+}
+
+void complete(const BoundaryLoop& loop, const Vector3d& opening, RibbonLoop& ribbons) {
+    std::vector<bool> faceless;
+    for (const BoundaryEdge& edge : loop.edges) {
+        faceless.push_back(edge.face.IsNull());
+    }
+    if (std::find(faceless.begin(), faceless.end(), true) != faceless.end()) {
+        set_free_normals(faceless, opening, ribbons.ribbons);
+    }
+}
+
+Result<Hole> extract(const std::vector<BoundaryLoop>& loops) {
+    Hole hole;
+    Box box;
+    for (const BoundaryLoop& loop : loops) {
+        auto ribbons = ribbons_of(loop);
+        if (!ribbons) {
+            return tl::unexpected(ribbons.error());
+        }
+        hole.loops.push_back(std::move(*ribbons));
+        complete(loop, area_vector(hole.loops.front()), hole.loops.back());
+        for (const Ribbon& ribbon : hole.loops.back().ribbons) {
+            if (auto measured = measure(ribbon, box); !measured) {
+                return tl::unexpected(measured.error());
+            }
+        }
+        for (const BoundaryEdge& edge : loop.edges) {
+            hole.tolerance = std::max(hole.tolerance, BRep_Tool::Tolerance(edge.edge));
+        }
+    }
+    hole.diameter = (box.high - box.low).norm();
+    return hole;
 }
 
 /// The angle by which the loop turns left at a corner, in (-pi, pi]. Left is seen against the

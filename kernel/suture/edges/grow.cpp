@@ -1,0 +1,35 @@
+#include "suture/edges/grow.h"
+
+#include "suture/base/on_demand.h"
+#include "suture/edges/grow_request.h"
+#include "suture/occ/guard.h"
+#include "suture/occ/isolate.h"
+#include "suture/occ/topology.h"
+
+namespace suture {
+
+Result<GrownShape> grow_over(const TopoDS_Shape& shape, const std::vector<TopoDS_Face>& faces,
+                             std::chrono::milliseconds limit, const Progress& progress) {
+    static const std::string program = program_on_demand("suture_grow");
+    const occ::Numbering before(shape);
+    GrowMessage request{shape, {}};
+    for (const TopoDS_Face& face : faces) {
+        request.faces.emplace_back(before.of(face), 0);
+    }
+    const auto bytes =
+        occ::run_isolated("letting the neighbours grow", program, packed(request), limit, progress);
+    if (!bytes) {
+        return tl::unexpected(bytes.error());
+    }
+    return occ::guarded("letting the neighbours grow", [&]() -> Result<GrownShape> {
+        const GrowMessage answer = unpacked_grow_message(*bytes);
+        const occ::Numbering after(answer.shape);
+        GrownShape grown{answer.shape, {}};
+        for (const auto& [old, now] : answer.faces) {
+            grown.replaced.Bind(before.faces(old), after.faces(now));
+        }
+        return grown;
+    });
+}
+
+}  // namespace suture

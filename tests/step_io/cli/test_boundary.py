@@ -1,0 +1,150 @@
+"""Faces over chosen edges, through the program: closed forms, and words that make no face."""
+
+import math
+import unittest
+
+from program import CAD, DONE, OUT_OF_TOLERANCE, USAGE, Case, example, run
+
+CASES = CAD.parent / "cases" / "wound"
+
+try:
+    import wounds
+    from wounds import Part, Read, V
+except ImportError as error:  # no FreeCAD
+    wounds = error
+
+SQUARE = [(0, 0, 0), (40, 0, 0), (40, 40, 0), (0, 40, 0)]
+
+
+@unittest.skipIf(isinstance(wounds, ImportError), f"needs FreeCAD: {wounds}")
+class Boundary(Case):
+    def saved(self, shapes, name="in.step"):
+        return wounds.save(Part.makeCompound(shapes), self.folder / name)
+
+    def filled(self, file, *words, code=DONE):
+        out = self.folder / "out.step"
+        out.unlink(missing_ok=True)
+        finished = run("fill", file, "-o", out, "--json", *words)
+        self.assertIn(finished.code, (DONE, OUT_OF_TOLERANCE) if code is None else (code,), str(finished))
+        return finished.json, Read(out)
+
+    def refused(self, file, *words):
+        out = self.folder / "none.step"
+        finished = run("fill", file, "-o", out, *words)
+        self.expect_refused(finished, USAGE)
+        self.assertFalse(out.exists())
+        return finished.err
+
+    def test_loose_lines_in_any_order_bound_their_square(self):
+        for scale in (1e-3, 1.0, 1e3):
+            with self.subTest(scale=scale):
+                lines = wounds.polygon(SQUARE)
+                lines[2].reverse()
+                file = self.saved([wounds.placed(e, scale) for e in (lines[i] for i in (2, 0, 3, 1))])
+                _, out = self.filled(file, "--boundary", "3,1,4,2")
+                self.assertEqual((out.faces, out.valid), (1, True))
+                self.assertAlmostEqual(out.area / scale**2, 1600.0, delta=1e-6)
+
+    def test_closed_curve_bounds_a_disc_and_two_a_ring(self):
+        circles = [Part.makeCircle(r, V(1, 2, 3), V(1, 1, 1)) for r in (10, 4)]
+        file = self.saved(circles)
+        _, disc = self.filled(file, "--boundary", "1")
+        self.assertAlmostEqual(disc.area, math.pi * 100, delta=1e-6)
+        _, ring = self.filled(file, "--boundary", "2,1")
+        self.assertEqual((ring.faces, ring.valid), (1, True))
+        self.assertAlmostEqual(ring.area, math.pi * 84, delta=1e-6)
+
+    def test_sheets_are_sewn_to_the_new_face_and_turned_to_it(self):
+        walls = [
+            wounds.sheet([(0, 0, 0), (40, 0, 0), (40, 0, 9), (0, 0, 9)]),
+            wounds.sheet([(40, 40, 0), (40, 0, 0), (40, 0, 9), (40, 40, 9)]),
+            wounds.sheet([(0, 40, 0), (40, 40, 0), (40, 40, 9), (0, 40, 9)]),
+            wounds.sheet([(0, 0, 0), (0, 40, 0), (0, 40, 9), (0, 0, 9)]),
+        ]
+        file = self.saved([wounds.placed(w) for w in walls])
+        turn = wounds.placed(Part.Vertex(0, 0, 0)).Placement.inverse()
+        for z in (0, 9):
+            rim = wounds.edges_where(file, lambda p, z=z: abs((turn * p).z - z) < 1e-6)
+            self.assertEqual(len(rim), 4)
+            _, out = self.filled(file, "--no-sew", "--boundary", wounds.mixed(rim, 5))
+            self.assertEqual((out.faces, out.shells, out.valid), (5, 1, True))
+            self.assertAlmostEqual(out.area, 1600 + 4 * 40 * 9, delta=1e-6)
+
+    def test_both_ends_of_a_tube_make_a_solid(self):
+        tube = Part.makeCylinder(5, 20).Faces[0]
+        file = self.saved([wounds.placed(tube)])
+        ends = [n for n, e in enumerate(Part.read(str(file)).Edges, 1) if e.isClosed()]
+        _, out = self.filled(file, "--boundary", ends[0], "--boundary", ends[1])
+        self.assertEqual((out.faces, out.solids, out.valid), (3, 1, True))
+        self.assertAlmostEqual(out.volume, math.pi * 25 * 20, delta=1e-6)
+
+    def test_is_the_same_face_as_that_of_the_hole(self):
+        for name in ("suitcase_corner", "bump_window"):
+            with self.subTest(name):
+                holes = self.expect(run("inspect", example(name), "--json"), DONE).json["holes"]
+                hole = next(h for h in holes if h["kind"] == "hole")
+                files = []
+                for i, words in enumerate(
+                    (("--hole", hole["id"]), ("--boundary", wounds.mixed(hole["edges"], 7)))
+                ):
+                    files.append(self.folder / f"{name}{i}.brep")
+                    run("fill", example(name), "-o", files[-1], *words)
+                self.assertEqual(files[0].read_bytes(), files[1].read_bytes())
+
+    def test_small_gaps_close_and_wide_ones_are_bridged_on_demand(self):
+        for gap, words in ((4e-4, ()), (2.0, ("--connect",))):
+            lines = [
+                Part.makeLine(V(gap, 0, 0), V(40 - gap, 0, 0)),
+                Part.makeLine(V(40, 0, 0), V(40, 40, 0)),
+                Part.makeLine(V(40, 40, 0), V(0, 40, 0)),
+                Part.makeLine(V(0, 40, 0), V(0, 0, 0)),
+            ]
+            file = self.saved(lines)
+            if words:
+                self.assertIn("--connect", self.refused(file, "--boundary", "1,2,3,4"))
+            _, out = self.filled(file, "--boundary", "4,2,1,3", *words)
+            self.assertEqual((out.faces, out.valid), (1, True))
+            self.assertAlmostEqual(out.area, 1600.0, delta=1e-2 if words else 0.05)
+
+    def test_bodies_become_one(self):
+        """Two boxes without the walls that face each other, 10 apart: four walls between them."""
+        def open_box(x, wall):
+            box = Part.makeBox(10, 10, 10, V(x, 0, 0))
+            return Part.makeShell([f for f in box.Faces if abs(f.CenterOfMass.x - wall) > 1e-6])
+
+        file = self.saved([open_box(0, 10), open_box(20, 20)])
+        rims = [
+            wounds.edges_where(file, lambda p, x=x: abs(p.x - x) < 1e-6) for x in (10, 20)
+        ]
+        _, out = self.filled(file, "--boundary", wounds.mixed(rims[0] + rims[1], 3))
+        self.assertEqual((out.solids, out.valid), (1, True))
+        self.assertAlmostEqual(out.volume, 3000, delta=1e-6)
+
+    def test_says_what_makes_no_face(self):
+        file = self.saved(wounds.polygon(SQUARE) + [Part.makeLine(V(0, 0, 50), V(9, 0, 50))])
+        self.assertIn("named twice", self.refused(file, "--boundary", "1,2,3,4,1"))
+        self.assertIn("there is no edge 77", self.refused(file, "--boundary", "1,2,77"))
+        error = self.refused(file, "--boundary", "1,2,3,4,5")
+        self.assertIn("edge 5 forms no closed chain", error)
+        self.assertIn("1, 2 form no closed chain", self.refused(file, "--boundary", "1,2"))
+        self.assertIn("one of these", self.refused(file, "--boundary", "1,2", "--hole", "1"))
+        box = wounds.save(Part.makeBox(1, 2, 3), self.folder / "box.step")
+        self.assertIn("between the faces", self.refused(box, "--boundary", "1,2,3,4"))
+
+    def given(self, name):
+        file = CASES / name
+        if not file.exists():
+            self.skipTest(f"needs {file}")
+        return file
+
+    def test_given_sheets_and_curves(self):
+        _, curves = self.filled(self.given("loose_curves.step"), "--boundary", "1,2,3")
+        self.assertEqual((curves.faces, curves.valid), (1, True))
+        _, sheets = self.filled(
+            self.given("four_sheets.step"), "--boundary", "1,5,9,13", code=None
+        )
+        self.assertEqual((sheets.faces, sheets.shells, sheets.solids), (5, 1, 0))
+
+
+if __name__ == "__main__":
+    unittest.main()

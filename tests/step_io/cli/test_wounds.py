@@ -1,0 +1,174 @@
+"""Faces replaced, removed and grown over, and bridges, through the program: closed forms."""
+
+import math
+import unittest
+
+from program import CAD, DONE, OUT_OF_TOLERANCE, USAGE, Case, run
+
+CASES = CAD.parent / "cases" / "wound"
+
+try:
+    import wounds
+    from wounds import Part, Read, V
+except ImportError as error:  # no FreeCAD
+    wounds = error
+
+
+@unittest.skipIf(isinstance(wounds, ImportError), f"needs FreeCAD: {wounds}")
+class Wounds(Case):
+    def run_on(self, command, file, *words, code=DONE):
+        out = self.folder / "out.step"
+        out.unlink(missing_ok=True)
+        finished = run(command, file, "-o", out, "--json", *words)
+        self.assertIn(finished.code, (DONE, OUT_OF_TOLERANCE) if code is None else (code,), str(finished))
+        return finished.json, Read(out)
+
+    def refused(self, command, file, *words):
+        out = self.folder / "none.step"
+        finished = run(command, file, "-o", out, *words)
+        self.expect_refused(finished, USAGE)
+        self.assertFalse(out.exists())
+        return finished.err
+
+    def rounded_box(self, radius=2.0, edges=None, scale=1.0):
+        box = Part.makeBox(30, 20, 10)
+        rounded = box.makeFillet(radius, edges or [box.Edges[0]])
+        file = wounds.save(wounds.placed(rounded, scale), self.folder / "rounded.step")
+        return file, box.Volume * scale**3, rounded.Volume * scale**3
+
+    def kinds(self, file, kind):
+        shape = Part.read(str(file))
+        return [n for n, f in enumerate(shape.Faces, 1) if type(f.Surface).__name__ == kind]
+
+    def test_replaced_wall_comes_back(self):
+        box = wounds.save(wounds.placed(Part.makeBox(30, 20, 10)), self.folder / "box.step")
+        for faces in ("1", "2", "6", "1,2"):
+            with self.subTest(faces=faces):
+                _, out = self.run_on("fill", box, "--replace-faces", faces, code=None)
+                if "," not in faces:
+                    self.assertEqual((out.faces, out.solids, out.valid), (6, 1, True))
+                    self.assertAlmostEqual(out.volume, 6000, delta=1e-6)
+                else:
+                    self.assertEqual(out.faces, 5)
+
+    def test_replaced_end_of_a_cylinder_comes_back(self):
+        file = wounds.save(wounds.placed(Part.makeCylinder(5, 20)), self.folder / "cylinder.step")
+        for face in self.kinds(file, "Plane"):
+            _, out = self.run_on("fill", file, "--replace-faces", face)
+            self.assertEqual((out.faces, out.solids, out.valid), (3, 1, True))
+            self.assertAlmostEqual(out.volume, 500 * math.pi, delta=1e-6)
+
+    def test_replaced_corner_of_three_fillets_is_the_sphere(self):
+        box = Part.makeBox(30, 20, 10)
+        corner = [e for e in box.Edges if any(v.Point.Length < 1e-9 for v in e.Vertexes)]
+        file, _, volume = self.rounded_box(3.0, corner)
+        sphere = self.kinds(file, "Sphere")
+        self.assertEqual(len(sphere), 1)
+        _, out = self.run_on("fill", file, "--replace-faces", sphere[0], code=None)
+        self.assertEqual((out.solids, out.valid), (1, True))
+        self.assertAlmostEqual(out.volume, volume, delta=1e-4)
+
+    def test_removed_fillets_leave_the_box(self):
+        for scale in (1e-2, 1.0, 1e2):
+            with self.subTest(scale=scale):
+                file, whole, _ = self.rounded_box(scale=scale)
+                fillet = self.kinds(file, "Cylinder")
+                document, out = self.run_on("fill", file, "--remove-faces", fillet[0])
+                self.assertIn("grown together", document["changes"][0])
+                self.assertEqual((out.faces, out.solids, out.valid), (6, 1, True))
+                self.assertAlmostEqual(out.volume / whole, 1.0, delta=1e-9)
+
+    def test_removed_round_corner_leaves_the_box(self):
+        box = Part.makeBox(30, 20, 10)
+        corner = [e for e in box.Edges if any(v.Point.Length < 1e-9 for v in e.Vertexes)]
+        file, whole, _ = self.rounded_box(3.0, corner)
+        faces = self.kinds(file, "Cylinder") + self.kinds(file, "Sphere")
+        self.assertEqual(len(faces), 4)
+        _, out = self.run_on("fill", file, "--remove-faces", wounds.mixed(faces, 1))
+        self.assertEqual((out.faces, out.valid), (6, True))
+        self.assertAlmostEqual(out.volume / whole, 1.0, delta=1e-9)
+
+    def test_removed_bore_leaves_the_block(self):
+        block = Part.makeBox(30, 20, 10).cut(Part.makeCylinder(3, 10, V(9, 9, 0)))
+        file = wounds.save(wounds.placed(block), self.folder / "bore.step")
+        _, out = self.run_on("fill", file, "--remove-faces", self.kinds(file, "Cylinder")[0])
+        self.assertEqual((out.faces, out.solids, out.valid), (6, 1, True))
+        self.assertAlmostEqual(out.volume, 6000, delta=1e-6)
+
+    def test_names_and_colours_of_the_other_faces_stay(self):
+        file, _, _ = self.rounded_box()
+        for option in ("--remove-faces", "--replace-faces"):
+            document, _ = self.run_on("fill", file, option, self.kinds(file, "Cylinder")[0], code=None)
+            self.assertEqual(document["model"]["parts"], 1) if "parts" in document["model"] else None
+
+    def test_what_cannot_grow_is_filled_and_said_so(self):
+        """The wall of a cylinder between its ends: planes that never meet."""
+        file = wounds.save(Part.makeCylinder(5, 20), self.folder / "cylinder.step")
+        wall = self.kinds(file, "Cylinder")[0]
+        document, out = self.run_on("fill", file, "--remove-faces", wall, code=None)
+        self.assertIn("filled instead of grown over", document["changes"][0])
+        self.assertEqual(out.faces, 3)
+
+    def test_says_which_faces_cannot_go(self):
+        file, _, _ = self.rounded_box()
+        for option in ("--replace-faces", "--remove-faces"):
+            self.assertIn("there is no face 99", self.refused("fill", file, option, "1,99"))
+            self.assertIn("face 2 is named twice", self.refused("fill", file, option, "2,1,2"))
+        self.assertIn("all faces", self.refused("fill", file, "--replace-faces", "1-7"))
+        self.assertIn("one of these", self.refused("fill", file, "--replace-faces", "1", "--hole", "1"))
+
+    def test_neighbours_grow_over_a_hole(self):
+        file = CASES / "sharp_edge_back.step"
+        if not file.exists():
+            self.skipTest(f"needs {file}")
+        _, out = self.run_on("fill", file, "--grow")
+        self.assertEqual((out.faces, out.solids, out.valid), (6, 1, True))
+        self.assertAlmostEqual(out.volume, 72000, delta=1e-5)
+
+    def plates(self, *points):
+        shapes = [wounds.placed(wounds.sheet(p)) for p in points]
+        return wounds.save(Part.makeCompound(shapes), self.folder / "plates.step")
+
+    def rim(self, file, wanted):
+        turn = wounds.placed(Part.Vertex(0, 0, 0)).Placement.inverse()
+        return wounds.edges_where(file, lambda p: wanted(turn * p))
+
+    def test_bridge_between_plates_in_one_plane_is_the_plane(self):
+        for second in (
+            [(20, 0, 0), (30, 0, 0), (30, 8, 0), (20, 8, 0)],
+            [(20, 0, 0), (20, 8, 0), (30, 8, 0), (30, 0, 0)],  # faces the other way
+        ):
+            file = self.plates([(0, 0, 0), (10, 0, 0), (10, 8, 0), (0, 8, 0)], second)
+            edges = self.rim(file, lambda p: abs(p.x - 10) < 1e-6 or abs(p.x - 20) < 1e-6)
+            _, out = self.run_on("bridge", file, "--edges", wounds.mixed(edges, 2))
+            self.assertEqual((out.faces, out.shells, out.valid), (3, 1, True))
+            self.assertAlmostEqual(out.area, 240, delta=1e-6)
+
+    def test_bridge_between_steps_is_tangent_to_both(self):
+        file = self.plates(
+            [(0, 0, 0), (40, 0, 0), (40, 30, 0), (0, 30, 0)],
+            [(70, 0, 20), (110, 0, 20), (110, 30, 20), (70, 30, 20)],
+        )
+        edges = self.rim(file, lambda p: abs(p.x - 40) < 1e-6 or abs(p.x - 70) < 1e-6)
+        document, out = self.run_on("bridge", file, "--edges", wounds.mixed(edges, 2))
+        self.assertEqual((out.faces, out.shells, out.valid), (3, 1, True))
+        hole = next(h for h in document["holes"] if h["status"] == "filled")
+        self.assertLess(hole["max_angle_deg"], 0.01)
+
+    def test_bridge_between_pipes_of_one_axis_is_the_cylinder(self):
+        pipes = [Part.makeCylinder(5, 10, V(0, 0, z)).Faces[0] for z in (0, 25)]
+        file = wounds.save(Part.makeCompound(pipes), self.folder / "pipes.step")
+        rims = wounds.edges_where(file, lambda p: min(abs(p.z - 10), abs(p.z - 25)) < 1e-6)
+        self.assertEqual(len(rims), 2)
+        _, out = self.run_on("bridge", file, "--edges", wounds.mixed(rims, 2))
+        self.assertEqual((out.faces, out.shells, out.valid), (3, 1, True))
+        self.assertAlmostEqual(out.area, 2 * math.pi * 5 * 35, delta=1e-5)
+
+    def test_says_why_edges_make_no_bridge(self):
+        file = self.plates([(0, 0, 0), (10, 0, 0), (10, 8, 0), (0, 8, 0)])
+        self.assertIn("two chains", self.refused("bridge", file, "--edges", "1,2"))
+        self.assertIn("two chains", self.refused("bridge", file, "--edges", "1,2,3,4"))
+
+
+if __name__ == "__main__":
+    unittest.main()
