@@ -71,16 +71,35 @@ std::vector<PartRequest> empty_requests(const FillRequest& request, std::size_t 
     return result;
 }
 
+/// Whether a loop is filled unasked.
+bool is_fillable(const BoundaryLoop& loop, const FillRequest& request) {
+    return loop.kind == LoopKind::Hole || (request.all_loops && loop.kind != LoopKind::Seam);
+}
+
+bool passes(const HoleFilter& filter, const BoundaryLoop& loop,
+            const std::vector<BoundaryLoop>& loops) {
+    std::size_t sides = loop.edges.size();
+    for (const BoundaryLoop& other : loops) {
+        const bool island =
+            std::ranges::find(loop.islands_with, other.id) != loop.islands_with.end();
+        if (island && other.length > loop.length) {
+            return false;  // that of the longest loop speaks for all
+        }
+        sides += island ? other.edges.size() : 0;
+    }
+    return (!filter.planar || loop.planar) && (!filter.larger || loop.diameter > *filter.larger) &&
+           (!filter.smaller || loop.diameter < *filter.smaller) &&
+           (!filter.sides || sides == static_cast<std::size_t>(*filter.sides));
+}
+
 /// Without a choice: every part with a loop that is to be filled.
 Result<std::vector<PartRequest>> all_holes(const FillRequest& request,
                                            const std::vector<PartLoops>& parts) {
     std::vector<PartRequest> result;
     for (PartRequest& part : empty_requests(request, parts.size())) {
         const auto& loops = parts[part.part].loops;
-        if (std::any_of(loops.begin(), loops.end(), [&](const BoundaryLoop& loop) {
-                return loop.kind == LoopKind::Hole ||
-                       (request.all_loops && loop.kind != LoopKind::Seam);
-            })) {
+        if (std::any_of(loops.begin(), loops.end(),
+                        [&](const BoundaryLoop& loop) { return is_fillable(loop, request); })) {
             result.push_back(std::move(part));
         }
     }
@@ -147,6 +166,29 @@ std::string what_else(const std::vector<PartLoops>& parts) {
                             counted(others, "other loop"));
     }
     return text;
+}
+
+Result<std::vector<std::vector<int>>> holes_like(const HoleFilter& filter,
+                                                 const FillRequest& request,
+                                                 const std::vector<PartLoops>& parts) {
+    std::vector<std::vector<int>> holes;
+    int fillable = 0;
+    for (const PartLoops& part : parts) {
+        for (const BoundaryLoop& loop : part.loops) {
+            if (is_fillable(loop, request)) {
+                ++fillable;
+                if (passes(filter, loop, part.loops)) {
+                    holes.push_back({loop.id});
+                }
+            }
+        }
+    }
+    if (holes.empty()) {
+        return fail(ErrorCode::NothingToDo,
+                    "none of the model's {} is as --planar, --larger, --smaller and --sides say{}",
+                    counted(fillable, "hole"), what_else(parts));
+    }
+    return holes;
 }
 
 Result<std::vector<PartRequest>> divide_request(const FillRequest& request,

@@ -3,6 +3,7 @@
 #include "cli/load.h"
 #include "suture/fill_holes.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,6 +14,22 @@ struct PartRequest {
     std::size_t part = 0;  ///< index of its PartLoops
     FillRequest request;   ///< with ids as they count in the part
 };
+
+/// Which of a model's holes are meant, where none is named.
+struct HoleFilter {
+    bool planar = false;
+    std::optional<double> larger, smaller;  ///< diameters, mm
+    std::optional<int> sides;               ///< islands' sides count as well
+
+    [[nodiscard]] bool empty() const { return !planar && !larger && !smaller && !sides; }
+};
+
+/// The holes that pass the filter, as FillRequest::holes has them.
+///
+/// Refuses  (NothingToDo) if there is none.
+[[nodiscard]] Result<std::vector<std::vector<int>>> holes_like(const HoleFilter& filter,
+                                                               const FillRequest& request,
+                                                               const std::vector<PartLoops>& parts);
 
 /// Divides a request for a whole model into requests for its parts.
 ///

@@ -104,6 +104,22 @@ Result<void> take_borders(const FillOptions& options, FillSettings& settings) {
     if (settings.grow && !(ways[0] || std::ranges::count(ways, true) == 0)) {
         return fail(ErrorCode::Usage, "--grow is for holes; for faces there is --remove-faces");
     }
+    const HoleFilter& filter = settings.filter;
+    if (!filter.empty() && (!options.holes.empty() || !options.edges.empty() || settings.grow ||
+                            std::ranges::count(ways.begin() + 1, ways.end(), true) > 0)) {
+        return fail(ErrorCode::Usage,
+                    "--planar, --larger, --smaller and --sides choose among all holes: name none "
+                    "besides");
+    }
+    for (const auto& [option, value] :
+         {std::pair("--larger", filter.larger), std::pair("--smaller", filter.smaller)}) {
+        if (auto valid = value ? expect_positive(option, *value) : Result<void>(); !valid) {
+            return valid;
+        }
+    }
+    if (filter.sides && *filter.sides < 1) {
+        return fail(ErrorCode::Usage, "--sides must be at least 1, not {}", *filter.sides);
+    }
     for (const std::string& boundary : options.boundaries) {
         auto& edges = settings.request.boundaries.emplace_back();
         if (auto result = take(parse_edges(boundary), edges); !result) {
@@ -251,6 +267,12 @@ void add_choice(CLI::App& app, FillOptions& options) {
     app.add_flag("--grow", options.settings.grow,
                  "Let the neighbours of the holes grow together where they can, instead of a fill: "
                  "an edge where a fillet was");
+    HoleFilter& filter = options.settings.filter;
+    app.add_flag("--planar", filter.planar, "Only holes whose border lies in a plane");
+    app.add_option("--larger", filter.larger, "Only holes of a larger diameter")->option_text("MM");
+    app.add_option("--smaller", filter.smaller, "Only holes of a smaller diameter")
+        ->option_text("MM");
+    app.add_option("--sides", filter.sides, "Only holes with so many sides")->option_text("N");
     app.add_flag("--all-loops", options.all_loops,
                  "Fill rims of open sheets and doubtful loops too");
 }

@@ -121,8 +121,15 @@ class FillJob {
             return {};  // the neighbours have grown together: nothing is to be filled
         }
         const int edges = occ::Numbering(model_.whole).edges.Extent();
-        Result<std::vector<PartRequest>> requests =
-            divide_request(settings_.request, parts_, edges);
+        FillRequest request = settings_.request;
+        if (!settings_.filter.empty()) {
+            auto holes = holes_like(settings_.filter, request, parts_);
+            if (!holes) {
+                return tl::unexpected(holes.error());
+            }
+            request.holes = std::move(*holes);
+        }
+        Result<std::vector<PartRequest>> requests = divide_request(request, parts_, edges);
         summary_.seconds.detect = watch.seconds();
         if (requests) {
             requests_ = std::move(*requests);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "cli/choose_holes.h"
 #include "cli/command.h"
 #include "cli/load.h"
 #include "cli/survival.h"
@@ -20,6 +21,7 @@ struct FillSettings {
     io::Format format = io::Format::Step;
     LoadOptions load;
     FillRequest request;
+    HoleFilter filter;  ///< where the request names no hole
     /// EdgeN of the model that the new face has to pass, besides request.through.
     std::vector<int> through_edges;
     /// FaceN of the model: these go, and what they leave is filled; or the neighbours grow

@@ -11,6 +11,9 @@ Result<const Support*> common_support(const Hole& hole, const FillOptions& optio
     const Ribbon& first = hole.loops.front().ribbons.front();
     for (const RibbonLoop& loop : hole.loops) {
         for (const Ribbon& ribbon : loop.ribbons) {
+            if (ribbon.face == 0) {
+                return fail(ErrorCode::Refused, "{} has no surface to continue", name_of(ribbon));
+            }
             if (!ribbon.support) {
                 return fail(ErrorCode::Refused, "face {} lies on a surface without a closed form",
                             ribbon.face);

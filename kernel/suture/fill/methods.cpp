@@ -2,6 +2,7 @@
 #include "suture/fill/concentric.h"
 #include "suture/fill/extend.h"
 #include "suture/fill/fill.h"
+#include "suture/fill/loft.h"
 #include "suture/fill/manifold.h"
 #include "suture/fill/mvs.h"
 #include "suture/fill/plane.h"
@@ -21,6 +22,9 @@ std::span<const FillMethod> fill_methods() {
                    &fill_recognise},
         FillMethod{"plane", "Closes a planar loop by a plane", "exact", "any", Continuity::G0,
                    &fill_plane},
+        FillMethod{"loft", "Bridges two opposite sides, cubic across, between free curves",
+                   "Ferguson, Multivariable curve interpolation, 1964", "4: two of them curves",
+                   Continuity::G1, &fill_loft},
         FillMethod{"mvs", "The surface whose curvature varies least, as one biquintic face",
                    "Moreton & Sequin, Functional optimization for fair surface design, 1992", "any",
                    Continuity::G2, &fill_mvs},

@@ -3,7 +3,7 @@
 import math
 import unittest
 
-from program import CAD, DONE, OUT_OF_TOLERANCE, USAGE, Case, example, run
+from program import CAD, DONE, NOTHING, OUT_OF_TOLERANCE, USAGE, Case, example, run
 
 CASES = CAD.parent / "cases" / "wound"
 
@@ -94,31 +94,61 @@ class Boundary(Case):
     def test_small_gaps_close_and_wide_ones_are_bridged_on_demand(self):
         for gap, words in ((4e-4, ()), (2.0, ("--connect",))):
             lines = [
-                Part.makeLine(V(gap, 0, 0), V(40 - gap, 0, 0)),
-                Part.makeLine(V(40, 0, 0), V(40, 40, 0)),
+                Part.makeLine(V(0, 0, 0), V(20, 0, 0)),
+                Part.makeLine(V(20 + gap, 0, 0), V(40, 0, 0)),
+                Part.makeLine(V(40, 40, 0), V(40, 0, 0)),
                 Part.makeLine(V(40, 40, 0), V(0, 40, 0)),
                 Part.makeLine(V(0, 40, 0), V(0, 0, 0)),
             ]
-            file = self.saved(lines)
+            file = self.saved([wounds.placed(e) for e in lines])
             if words:
-                self.assertIn("--connect", self.refused(file, "--boundary", "1,2,3,4"))
-            _, out = self.filled(file, "--boundary", "4,2,1,3", *words)
+                error = self.refused(file, "--boundary", "1,2,3,4,5")
+                self.assertIn("--connect", error)
+                self.assertIn("gap of 2,", error)
+            _, out = self.filled(file, "--boundary", "4,2,1,3,5", *words)
             self.assertEqual((out.faces, out.valid), (1, True))
-            self.assertAlmostEqual(out.area, 1600.0, delta=1e-2 if words else 0.05)
+            self.assertAlmostEqual(out.area, 1600.0, delta=1e-6)
 
     def test_bodies_become_one(self):
-        """Two boxes without the walls that face each other, 10 apart: four walls between them."""
-        def open_box(x, wall):
-            box = Part.makeBox(10, 10, 10, V(x, 0, 0))
-            return Part.makeShell([f for f in box.Faces if abs(f.CenterOfMass.x - wall) > 1e-6])
+        """Two cups, whose rims face each other, and the tube between them."""
+        def cup(z, closed):
+            faces = Part.makeCylinder(5, 10, V(0, 0, z)).Faces
+            return Part.makeShell([f for f in faces if abs(f.CenterOfMass.z - closed) > 1e-6])
 
-        file = self.saved([open_box(0, 10), open_box(20, 20)])
+        file = self.saved([wounds.placed(cup(0, 10)), wounds.placed(cup(20, 20))])
+        turn = wounds.placed(Part.Vertex(0, 0, 0)).Placement.inverse()
         rims = [
-            wounds.edges_where(file, lambda p, x=x: abs(p.x - x) < 1e-6) for x in (10, 20)
+            wounds.edges_where(file, lambda p, z=z: abs((turn * p).z - z) < 1e-6)[0] for z in (10, 20)
         ]
-        _, out = self.filled(file, "--boundary", wounds.mixed(rims[0] + rims[1], 3))
-        self.assertEqual((out.solids, out.valid), (1, True))
-        self.assertAlmostEqual(out.volume, 3000, delta=1e-6)
+        _, out = self.filled(file, "--boundary", f"{rims[1]},{rims[0]}")
+        self.assertEqual((out.solids, out.faces, out.valid), (1, 5, True))
+        self.assertAlmostEqual(out.volume, math.pi * 25 * 30, delta=1e-6)
+
+    def test_holes_are_chosen_by_kind_and_size(self):
+        """A plate with two round windows and a square one."""
+        plate = wounds.sheet([(0, 0, 0), (100, 0, 0), (100, 40, 0), (0, 40, 0)])
+        for window in (
+            Part.makeCylinder(2, 2, V(15, 20, -1)),
+            Part.makeCylinder(6, 2, V(40, 20, -1)),
+            Part.makeBox(10, 10, 2, V(70, 15, -1)),
+        ):
+            plate = plate.cut(window)
+        file = self.saved([wounds.placed(plate)])
+        for words, count in (
+            (("--larger", 10), 2),
+            (("--smaller", 10), 1),
+            (("--larger", 10, "--sides", 4), 1),
+            (("--planar", "--sides", 1), 2),
+            (("--planar",), 3),
+        ):
+            with self.subTest(words=words):
+                document, _ = self.filled(file, *words)
+                filled = [h for h in document["holes"] if h["status"] == "filled"]
+                self.assertEqual(len(filled), count)
+        finished = run("fill", file, "-o", self.folder / "none.step", "--larger", 900)
+        self.expect_refused(finished, NOTHING, "none of the model's 3 holes")
+        self.assertIn("name none", self.refused(file, "--larger", 3, "--hole", 1))
+        self.assertIn("--larger", self.refused(file, "--larger", -3))
 
     def test_says_what_makes_no_face(self):
         file = self.saved(wounds.polygon(SQUARE) + [Part.makeLine(V(0, 0, 50), V(9, 0, 50))])
@@ -141,7 +171,7 @@ class Boundary(Case):
         _, curves = self.filled(self.given("loose_curves.step"), "--boundary", "1,2,3")
         self.assertEqual((curves.faces, curves.valid), (1, True))
         _, sheets = self.filled(
-            self.given("four_sheets.step"), "--boundary", "1,5,9,13", code=None
+            self.given("four_sheets.step"), "--boundary", "13,8,1,9", code=None
         )
         self.assertEqual((sheets.faces, sheets.shells, sheets.solids), (5, 1, 0))
 

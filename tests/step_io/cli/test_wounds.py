@@ -30,11 +30,13 @@ class Wounds(Case):
         self.assertFalse(out.exists())
         return finished.err
 
-    def rounded_box(self, radius=2.0, edges=None, scale=1.0):
-        box = Part.makeBox(30, 20, 10)
-        rounded = box.makeFillet(radius, edges or [box.Edges[0]])
-        file = wounds.save(wounds.placed(rounded, scale), self.folder / "rounded.step")
-        return file, box.Volume * scale**3, rounded.Volume * scale**3
+    def rounded_box(self, radius=2.0, corner=False, scale=1.0):
+        """A box with one edge, or all at a corner, rounded: its file, the volume with and without."""
+        box = Part.makeBox(30 * scale, 20 * scale, 10 * scale)
+        edges = [e for e in box.Edges if any(v.Point.Length < 1e-9 for v in e.Vertexes)]
+        rounded = box.makeFillet(radius * scale, edges if corner else edges[:1])
+        file = wounds.save(wounds.placed(rounded), self.folder / "rounded.step")
+        return file, box.Volume, rounded.Volume
 
     def kinds(self, file, kind):
         shape = Part.read(str(file))
@@ -42,14 +44,11 @@ class Wounds(Case):
 
     def test_replaced_wall_comes_back(self):
         box = wounds.save(wounds.placed(Part.makeBox(30, 20, 10)), self.folder / "box.step")
-        for faces in ("1", "2", "6", "1,2"):
+        for faces in ("1", "Face2", "6", "1,2"):  # 1 and 2 lie opposite: two wounds
             with self.subTest(faces=faces):
-                _, out = self.run_on("fill", box, "--replace-faces", faces, code=None)
-                if "," not in faces:
-                    self.assertEqual((out.faces, out.solids, out.valid), (6, 1, True))
-                    self.assertAlmostEqual(out.volume, 6000, delta=1e-6)
-                else:
-                    self.assertEqual(out.faces, 5)
+                _, out = self.run_on("fill", box, "--replace-faces", faces)
+                self.assertEqual((out.faces, out.solids, out.valid), (6, 1, True))
+                self.assertAlmostEqual(out.volume, 6000, delta=1e-6)
 
     def test_replaced_end_of_a_cylinder_comes_back(self):
         file = wounds.save(wounds.placed(Part.makeCylinder(5, 20)), self.folder / "cylinder.step")
@@ -59,14 +58,12 @@ class Wounds(Case):
             self.assertAlmostEqual(out.volume, 500 * math.pi, delta=1e-6)
 
     def test_replaced_corner_of_three_fillets_is_the_sphere(self):
-        box = Part.makeBox(30, 20, 10)
-        corner = [e for e in box.Edges if any(v.Point.Length < 1e-9 for v in e.Vertexes)]
-        file, _, volume = self.rounded_box(3.0, corner)
+        file, _, volume = self.rounded_box(3.0, corner=True)
         sphere = self.kinds(file, "Sphere")
         self.assertEqual(len(sphere), 1)
         _, out = self.run_on("fill", file, "--replace-faces", sphere[0], code=None)
         self.assertEqual((out.solids, out.valid), (1, True))
-        self.assertAlmostEqual(out.volume, volume, delta=1e-4)
+        self.assertAlmostEqual(out.volume, volume, delta=1e-3)  # a gap over its area
 
     def test_removed_fillets_leave_the_box(self):
         for scale in (1e-2, 1.0, 1e2):
@@ -79,9 +76,7 @@ class Wounds(Case):
                 self.assertAlmostEqual(out.volume / whole, 1.0, delta=1e-9)
 
     def test_removed_round_corner_leaves_the_box(self):
-        box = Part.makeBox(30, 20, 10)
-        corner = [e for e in box.Edges if any(v.Point.Length < 1e-9 for v in e.Vertexes)]
-        file, whole, _ = self.rounded_box(3.0, corner)
+        file, whole, _ = self.rounded_box(3.0, corner=True)
         faces = self.kinds(file, "Cylinder") + self.kinds(file, "Sphere")
         self.assertEqual(len(faces), 4)
         _, out = self.run_on("fill", file, "--remove-faces", wounds.mixed(faces, 1))
@@ -94,12 +89,6 @@ class Wounds(Case):
         _, out = self.run_on("fill", file, "--remove-faces", self.kinds(file, "Cylinder")[0])
         self.assertEqual((out.faces, out.solids, out.valid), (6, 1, True))
         self.assertAlmostEqual(out.volume, 6000, delta=1e-6)
-
-    def test_names_and_colours_of_the_other_faces_stay(self):
-        file, _, _ = self.rounded_box()
-        for option in ("--remove-faces", "--replace-faces"):
-            document, _ = self.run_on("fill", file, option, self.kinds(file, "Cylinder")[0], code=None)
-            self.assertEqual(document["model"]["parts"], 1) if "parts" in document["model"] else None
 
     def test_what_cannot_grow_is_filled_and_said_so(self):
         """The wall of a cylinder between its ends: planes that never meet."""
