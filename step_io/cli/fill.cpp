@@ -349,7 +349,6 @@ std::shared_ptr<Command> add_filling(CLI::App& app, const std::string& name,
     add_reports(*command);
     add_picture(*command);
     sub.add_flag("--force", options->force, "Allow OUT to be IN itself");
-    add_batch_options(*command->app, true);
     Command* self = command.get();
     command->validate = [options, self, prepare] {
         return prepare(*options).and_then([&] { return validate_fill(*self, *options); });
@@ -382,7 +381,10 @@ std::shared_ptr<Command> add_filling(CLI::App& app, const std::string& name,
 }  // namespace
 
 std::shared_ptr<Command> add_fill(CLI::App& app) {
-    return add_filling(app, "fill", kHelp, add_choice, [](FillOptions&) { return Result<void>(); });
+    auto command =
+        add_filling(app, "fill", kHelp, add_choice, [](FillOptions&) { return Result<void>(); });
+    add_batch_options(*command->app, true);
+    return command;
 }
 
 std::shared_ptr<Command> add_bridge(CLI::App& app) {
