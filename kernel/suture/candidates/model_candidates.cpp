@@ -18,7 +18,7 @@ Result<std::vector<Candidate>> find_candidates(const TopoDS_Shape& model,
         TopTools_MapOfShape seen;
         for (const BoundaryLoop& loop : loops) {
             for (const BoundaryEdge& edge : loop.edges) {
-                if (seen.Add(edge.face)) {
+                if (!edge.face.IsNull() && seen.Add(edge.face)) {
                     faces.push_back(edge.face);
                 }
             }
