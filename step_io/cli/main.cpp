@@ -168,6 +168,7 @@ SandboxPaths paths_of(const Command& command) {
     }
     try {
         paths.execute.emplace_back(program_on_demand("suture_occt_filling"));
+        paths.execute.emplace_back(program_on_demand("suture_grow"));
         paths.read.push_back(paths.execute.back().parent_path());  // our modules, which come late
     } catch (const std::runtime_error&) {
         // Method occt says so when it is asked for.
