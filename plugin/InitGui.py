@@ -31,7 +31,7 @@ class SutureWorkbench(FreeCADGui.Workbench):
         self.appendMenu("Suture", self.commands)
 
     def ContextMenu(self, recipient):
-        self.appendContextMenu("Suture", self.commands[:6])
+        self.appendContextMenu("Suture", self.commands[:10])
 
     def GetClassName(self):
         return "Gui::PythonWorkbench"

@@ -7,6 +7,7 @@
     for hole in api.find_holes(part).report.holes:
         print(hole.id, hole.kind, hole.edges)
     filled = api.fill(part, edges=[9], method="mvs")
+    face = api.fill_border([(sketch, [1, 2, 3]), (part, [4])])
     print(api.check(filled).verdict)
 
 Every failure is a SutureError, whose text is a sentence and whose `edges` are those that it names.
@@ -21,6 +22,7 @@ from .compat import translate
 from .errors import NothingToDo, SutureError
 from .options import CheckOptions, FillOptions
 from .reports import FILLABLE
+from .sources import Sources
 
 
 def find_holes(obj):
@@ -62,6 +64,54 @@ def fill(obj, edges=(), faces=(), through=(), **options):
     return keep(request, waiting.run(request.task()), chosen, through)
 
 
+def fill_border(chosen, through=(), **options):
+    """A parametric object with one new face whose border chosen edges are, in any order.
+
+    chosen    [(object, edge numbers), ...]; the edges may have a face, which the new one joins, or none
+    options   those of FillOptions, such as connect=True: bridge gaps between the edges by curves
+    """
+    return _over_edges("Boundary", chosen, through, options)
+
+
+def bridge(chosen, through=(), **options):
+    """A parametric object with a new face between two edges, or chains of edges, or closed rims.
+
+    chosen    [(object, edge numbers), ...] of both sides together
+    """
+    return _over_edges("Bridge", chosen, through, options)
+
+
+def replace_faces(obj, faces, through=(), **options):
+    """A parametric object in which faces have gone, and what they left is filled anew."""
+    return _without_faces("Replace", obj, faces, through, options)
+
+
+def remove_faces(obj, faces, **options):
+    """A parametric object in which faces have gone, and their neighbours have grown together; where
+    they cannot, it is filled, and the object's Verdict says so."""
+    return _without_faces("Remove", obj, faces, (), options)
+
+
+def _over_edges(task, chosen, through, options):
+    chosen = [(places.base_of(obj), edges) for obj, edges in chosen]
+    sources = Sources([obj for obj, _ in chosen])
+    edges = [sources.number(obj, edge) for obj, numbers in chosen for edge in numbers]
+    options = FillOptions(edges, task=task, **options)
+    return _made(sources, options, through)
+
+
+def _without_faces(task, obj, faces, through, options):
+    sources = Sources([places.base_of(obj)])
+    return _made(sources, FillOptions(task=task, faces=faces, **options), through)
+
+
+def _made(sources, options, through):
+    base, *others = sources.objects
+    points = places.points_through(through, base)
+    request = feature.Request(base, options.with_points(points), sources.shape, others)
+    return keep(request, waiting.run(request.task()), options, through)
+
+
 def sew(obj):
     """An object beside `obj`: its shape with the loose faces sewn, in one step of undo. It does not
     follow `obj`. NothingToDo if no face is loose."""
@@ -93,12 +143,13 @@ def keep(request, filled, options, through=(), edited=None):
     options   those of the request without the points of `through`
     """
     document = request.base.Document
-    document.openTransaction(translate("Fill holes"))
+    document.openTransaction(words.task_name(options.task))
     try:
-        obj = edited or feature.make(request.base)
-        feature.set_options(obj, options, through)
+        obj = edited or feature.make(request.base, options.task)
+        feature.set_options(obj, options, through, request.others)
         feature.store(obj, request, filled)
-        hide(request.base)
+        for source in (request.base, *request.others):
+            hide(source)
         document.recompute()
     except BaseException:
         document.abortTransaction()

@@ -125,14 +125,26 @@ def same_edges(numbers, shape, other, tolerance):
     return result
 
 
-def face_origins(new_faces, count_before, count_after):
+def changed_faces(before, after):
+    """The numbers of the faces of `after` that are no faces of `before`."""
+
+    def key(face):
+        center = face.CenterOfMass
+        return tuple(round(x, 5) for x in (face.Area, center.x, center.y, center.z))
+
+    known = set(map(key, before.Faces))
+    return [number for number, face in enumerate(after.Faces, 1) if key(face) not in known]
+
+
+def face_origins(new_faces, count_before, count_after, gone=()):
     """For each face of the result the index of the face it was before, None for a new one.
 
     The program leaves the old faces in their order and puts new ones among them; `new_faces` are
-    their numbers. Result   None where the counts do not fit, so that nobody is misled.
+    their numbers, `gone` those of faces that were taken away. Result   None where the counts do not
+    fit, so that nobody is misled.
     """
     new = set(new_faces)
-    if count_after - len(new) != count_before:
+    if count_after - len(new) != count_before - len(gone):
         return None
-    old = iter(range(count_before))
+    old = iter(index for index in range(count_before) if index + 1 not in gone)
     return [None if number in new else next(old) for number in range(1, count_after + 1)]

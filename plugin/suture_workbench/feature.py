@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The parametric object: a shape whose holes are filled. Documents name its class: keep the name."""
+"""The parametric object: a shape that is filled in one of the ways of options.TASKS. Documents name its
+class: keep the name."""
 
 import hashlib
 import json
@@ -9,9 +10,11 @@ import FreeCAD as App
 from . import exchange, marks, places, reports, tasks, waiting, words
 from .compat import Stateless, element_of, translate, without_traceback
 from .errors import ProgramMissing, SutureError
-from .options import RECOGNISE, FillOptions
+from .options import RECOGNISE, TASKS, FillOptions
 from .program import methods
 from .properties import add_properties, set_choice
+from .sources import Sources
+
 
 class FilledShape(Stateless):
     """Proxy of the object."""
@@ -46,9 +49,10 @@ class FilledShape(Stateless):
 class Request:
     """What one fill of one object is made of; the same key, the same result."""
 
-    def __init__(self, base, options, shape=None):
+    def __init__(self, base, options, shape=None, others=()):
         self.base = base
-        self.shape = shape or places.local_shape(base)
+        self.others = list(others)
+        self.shape = shape or Sources([base, *others]).shape
         self.options = options
 
     @classmethod
@@ -59,10 +63,18 @@ class Request:
                 translate("{} has no base: choose one in its property Base.").format(obj.Label)
             )
         base, subs = obj.Base
-        shape = places.local_shape(base)
+        more = [(other, subs) for other, subs in obj.MoreEdges or () if other is not base]
+        sources = Sources([base, *(other for other, _ in more)])
+        shape = sources.shape
         now = _numbers_now(obj, shape)
+        edges = _numbers(subs) + [
+            sources.number(other, edge) for other, subs in more for edge in _numbers(subs)
+        ]
         options = FillOptions(
-            [now(edge) for edge in _numbers(subs)],
+            [now(edge) for edge in edges],
+            task=obj.Task,
+            faces=[now(face, "Face") for face in _numbers(subs, "Face")],
+            connect=obj.Connect,
             method=obj.Method,
             continuity=obj.Continuity,
             sides={
@@ -81,11 +93,11 @@ class Request:
             keep_bad=obj.KeepBad,
         )
         points = places.points_through(obj.Through, base)
-        return cls(base, options.with_points(points), shape)
+        return cls(base, options.with_points(points), shape, sources.objects[1:])
 
     def keeping_bad(self, keep):
         """The same, with bad fills kept or left out."""
-        return Request(self.base, self.options.keeping_bad(keep), self.shape)
+        return Request(self.base, self.options.keeping_bad(keep), self.shape, self.others)
 
     def key(self):
         text = exchange.fingerprint(self.shape) + self.options.key()
@@ -105,7 +117,7 @@ def show_with(provider):
     view_provider = provider
 
 
-def make(base):
+def make(base, task="Holes"):
     """A new object that fills all holes of `base`, beside it, not yet computed."""
     obj = base.Document.addObject("Part::FeaturePython", "Filled")
     FilledShape(obj)
@@ -113,16 +125,29 @@ def make(base):
     if home is not None:
         home.addObject(obj)
     obj.Base = (base, [])
-    obj.Label = translate("{} filled").format(base.Label)
+    obj.Label = {
+        "Bridge": translate("{} bridged"),
+        "Replace": translate("{} with new faces"),
+        "Remove": translate("{} without faces"),
+    }.get(task, translate("{} filled")).format(base.Label)
     if App.GuiUp:
         view_provider(obj.ViewObject)
     return obj
 
 
-def set_options(obj, options, through=()):
-    """Writes options into the properties; the points of `through` come on top of options.points."""
+def set_options(obj, options, through=(), others=()):
+    """Writes options into the properties; the points of `through` come on top of options.points.
+
+    others   objects besides the base whose edges are among options.edges
+    """
     base = obj.Base[0]
-    obj.Base = (base, [f"Edge{edge}" for edge in options.edges])
+    sources = Sources([base, *others])
+    (_, edges), *more = sources.by_object(options.edges)
+    faces = [f"Face{face}" for face in options.faces]
+    obj.Base = (base, [f"Edge{edge}" for edge in edges] + faces)
+    obj.MoreEdges = [(other, [f"Edge{edge}" for edge in numbers]) for other, numbers in more]
+    set_choice(obj, "Task", TASKS, options.task)
+    obj.Connect = options.connect
     set_choice(obj, "Method", methods(), options.method)
     obj.MethodOptions = [f"{key}={value}" for key, value in options.own.items()]
     obj.Continuity = options.continuity
@@ -130,8 +155,10 @@ def set_options(obj, options, through=()):
     for wanted in ("G0", "G1", "G2"):
         edges = [f"Edge{edge}" for edge, asked in options.sides.items() if asked == wanted]
         setattr(obj, "Edges" + wanted, (base, edges) if edges else None)
-    shape = places.local_shape(base)
-    obj.EdgeMarks = [marks.written(shape, edge) for edge in options.named_edges()]
+    shape = sources.shape
+    obj.EdgeMarks = [marks.written(shape, edge) for edge in options.named_edges()] + [
+        marks.written(shape, face, "Face") for face in options.faces
+    ]
     obj.KeepBad = options.keep_bad
     obj.OneFace, obj.AllLoops = options.one_face, options.all_loops
     obj.Gap, obj.Angle, obj.Curvature = options.gap, options.angle, options.curvature
@@ -162,7 +189,9 @@ def stored(obj, request):
         return None
     shape = exchange.without_placement(obj.Shape)
     new = list(obj.NewFaces)
-    origins = exchange.face_origins(new, len(request.shape.Faces), len(shape.Faces))
+    origins = exchange.face_origins(
+        new, len(request.shape.Faces), len(shape.Faces), request.options.faces
+    )
     return tasks.Filled(shape, reports.fill(json.loads(obj.Report)), new, origins)
 
 
@@ -171,17 +200,18 @@ def _place(obj, request):
     obj.Placement = places.frame(obj).inverse().multiply(places.to_document(request.base))
 
 
-def _numbers(subs):
+def _numbers(subs, kind="Edge"):
     numbers = [element_of(sub) for sub in subs or ()]
-    return [int(name[4:]) for name in numbers if name.startswith("Edge")]
+    return [int(name[4:]) for name in numbers if name.startswith(kind)]
 
 
 def _numbers_now(obj, shape):
-    """What an edge that the object names is called in the shape as it is now."""
+    """What an edge or face that the object names is called in the shape as it is now."""
     known = dict(marks.read(text) for text in obj.EdgeMarks)
 
-    def number(edge):
-        return marks.number_at(shape, edge, known[edge]) if edge in known else edge
+    def number(old, kind="Edge"):
+        point = known.get((kind, old))
+        return old if point is None else marks.number_at(shape, old, point, kind)
 
     return number
 

@@ -8,13 +8,19 @@ from . import program, settings
 
 CONTINUITIES = ["auto", "G0", "G1", "G2"]
 RECOGNISE = ["model", "neighbours", "off"]
+# What is filled: holes of a shape; a border of chosen edges; what lies between two edges or chains of
+# them; what chosen faces leave; or these go, and their neighbours grow together.
+TASKS = ["Holes", "Boundary", "Bridge", "Replace", "Remove"]
 PROFILES = ["catia", "vda4955", "alias", "rhino", "occt"]
 
 
 class FillOptions:
     """All that `suture fill` is told; edge numbers are FreeCAD's, points those of the shape.
 
-    edges        one edge of each hole to fill, or none for all holes
+    task         one of TASKS
+    edges        one edge of each hole to fill, or none for all holes; Boundary, Bridge: all edges
+    faces        Replace, Remove: the faces that go
+    connect      Boundary: gaps between the edges are bridged by curves
     one_face     the loops bound one face: the others are islands in the first
     all_loops    rims and doubtful loops too
     sides        {edge: "G2"}: the continuity of single sides
@@ -26,6 +32,9 @@ class FillOptions:
 
     def __init__(self, edges=(), method=None, continuity="auto", sides=None, points=(), **more):
         self.edges = list(edges)
+        self.task = more.pop("task", "Holes")
+        self.faces = list(more.pop("faces", ()))
+        self.connect = more.pop("connect", False)
         self.method = method or settings.method()
         self.continuity = continuity
         self.sides = dict(sides or {})
@@ -40,6 +49,8 @@ class FillOptions:
         self.keep_bad = more.pop("keep_bad", False)
         if more:
             raise TypeError(f"no such option: {', '.join(more)}")
+        if self.task not in TASKS:
+            raise TypeError(f"no such task: {self.task}")
 
     def with_points(self, points):
         """The same with more points to pass through."""

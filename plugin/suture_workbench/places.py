@@ -144,13 +144,13 @@ def base_of(obj):
     return obj
 
 
-def selection(selected):
-    """What a selection (Gui.Selection.getSelectionEx("", 0)) holds that has faces, object by object."""
+def selection(selected, fits=has_faces):
+    """What a selection (Gui.Selection.getSelectionEx("", 0)) holds that fits, object by object."""
     found = {}
     for entry in selected:
         for sub in entry.SubElementNames or ("",):
             obj, path, element = resolve(entry.Object, sub)
-            if not has_faces(obj):
+            if not fits(obj):
                 continue
             key = (obj.Document.Name, obj.Name, path)
             item = found.setdefault(key, Selected(obj, [], [], entry.Object, path))

@@ -2,7 +2,7 @@
 """The properties of a filled shape. Documents name them: keep the names."""
 
 from .compat import mark, translate
-from .options import CONTINUITIES, RECOGNISE
+from .options import CONTINUITIES, RECOGNISE, TASKS
 from .program import methods
 
 # name, type, group, tooltip, editor mode (0 shown, 1 read-only, 2 hidden)
@@ -12,6 +12,27 @@ _PROPERTIES = [
         "App::PropertyLinkSubGlobal",
         "Fill",
         mark("The shape, and an edge of each hole to fill; no edge: all holes"),
+        0,
+    ),
+    (
+        "Task",
+        "App::PropertyEnumeration",
+        "Fill",
+        mark("What is filled: holes, a border of chosen edges, a bridge, faces that go"),
+        1,
+    ),
+    (
+        "MoreEdges",
+        "App::PropertyLinkSubListGlobal",
+        "Fill",
+        mark("Edges of other objects that belong to the border or the bridge"),
+        0,
+    ),
+    (
+        "Connect",
+        "App::PropertyBool",
+        "Fill",
+        mark("Bridge gaps between the edges of a border by curves"),
         0,
     ),
     (
@@ -158,7 +179,7 @@ _PROPERTIES = [
         "EdgeMarks",
         "App::PropertyStringList",
         "Result",
-        mark("A point on each edge that is named, to know it by when numbers change"),
+        mark("A point on each edge and face that is named, to know it by when numbers change"),
         2,
     ),
     (
@@ -178,6 +199,8 @@ def add_properties(obj):
             obj.addProperty(kind, name, group, translate(tip))
             if name == "Method":
                 set_choice(obj, name, methods(), "auto")
+            elif name == "Task":
+                set_choice(obj, name, TASKS, "Holes")
             elif name == "Continuity":
                 set_choice(obj, name, CONTINUITIES, "auto")
             elif name == "Recognise":

@@ -182,12 +182,15 @@ def refusal(report):
     return SutureError(words.shortfall(report), edges)
 
 
-def with_edges(report, loops):
-    """The report with the edges of holes that were refused, whose sides the program leaves out."""
+def with_edges(report, loops, chosen=()):
+    """The report with the edges of holes that were refused, whose sides the program leaves out.
+
+    loops    {id: edges} of the shape's own loops; those of a border are the `chosen` ones
+    """
     known = [
         hole
         if hole.edges
-        else hole._replace(edges=[e for id in hole.ids for e in loops.get(id, [])])
+        else hole._replace(edges=[e for id in hole.ids for e in loops.get(id, chosen)])
         for hole in report.holes
     ]
     return report._replace(holes=known)

@@ -179,7 +179,7 @@ class SewFaces(Task):
 
 
 class FillHoles(Task):
-    """Fills holes of a shape. Result   Filled."""
+    """Fills holes of a shape, or does another of options.TASKS to it. Result   Filled."""
 
     def __init__(self, shape, options):
         self.shape = shape
@@ -189,21 +189,31 @@ class FillHoles(Task):
     def steps(self):
         source = self._input(self.shape)
         out = self.folder / ("out" + exchange.SUFFIX)
-        number = yield from self._numbers(source, self.options.named_edges())
-        arguments = ["fill", source, "-o", out]
-        arguments += yield from self._choice(source, number)
+        options = self.options
+        number = int  # chosen edges are those of the shape as it is: nothing is sewn
+        if options.task not in ("Boundary", "Bridge"):
+            number = yield from self._numbers(source, options.named_edges())
+        arguments = ["bridge" if options.task == "Bridge" else "fill", source, "-o", out]
+        if options.task == "Holes":
+            arguments += yield from self._choice(source, number)
+        else:
+            arguments += self._elements()
         arguments += self.options.arguments(number)
         if self.options.points:
             arguments += ["--through", self._points_file()]
         report = reports.fill((yield arguments))
         if any(hole.status == "refused" for hole in report.holes):
-            loops = reports.holes((yield ["inspect", source])).holes
-            report = reports.with_edges(report, {loop.id: loop.edges for loop in loops})
+            loops = {}
+            if options.task == "Holes":
+                loops = {h.id: h.edges for h in reports.holes((yield ["inspect", source])).holes}
+            report = reports.with_edges(report, loops, options.edges)
             if not any(hole.status == "filled" for hole in report.holes):
                 raise reports.refusal(report)
         shape = exchange.unwrapped(exchange.read_shape(out))
         new = sorted(face for hole in report.holes for face in hole.new_faces)
-        origins = exchange.face_origins(new, len(self.shape.Faces), len(shape.Faces))
+        origins = exchange.face_origins(
+            new, len(self.shape.Faces), len(shape.Faces), self.options.faces
+        )
         return Filled(shape, report, new, origins)
 
     def _choice(self, source, number):
@@ -220,6 +230,17 @@ class FillHoles(Task):
                 raise SutureError(translate("Edge{} bounds no hole.").format(edge), [edge])
             ids += [loop for loop in loops if loop not in ids]
         return ["--hole", "+".join(map(str, ids))]
+
+    def _elements(self):
+        """The edges of a border or of a bridge, or the faces that go."""
+        options = self.options
+        edges, faces = (",".join(map(str, n)) for n in (options.edges, options.faces))
+        return {
+            "Boundary": ["--boundary", edges, "--no-sew", *["--connect"][: options.connect]],
+            "Bridge": ["--edges", edges, "--no-sew"],
+            "Replace": ["--replace-faces", faces],
+            "Remove": ["--remove-faces", faces],
+        }[options.task]
 
     def _points_file(self):
         path = self.folder / "points.csv"

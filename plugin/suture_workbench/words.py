@@ -2,6 +2,7 @@
 """What the panels say about the program's answers, in the user's language. Needs no window."""
 
 from .compat import translate
+from .errors import in_freecads_words
 
 _HUGE = 10.0  # a miss by so many times the limit is bad, not just short of it
 
@@ -28,6 +29,16 @@ def method_text(method, title=""):
         "manifold": translate("A patch of many sides: strips along the rim, a star in the middle."),
         "occt": translate("OpenCASCADE's own filling, as FreeCAD's Surface > Filling uses it."),
     }.get(method, title)
+
+
+def task_name(task):
+    """What is done, as the title of a panel and of a step of undo."""
+    return {
+        "Boundary": translate("Fill from edges"),
+        "Bridge": translate("Bridge"),
+        "Replace": translate("Replace faces"),
+        "Remove": translate("Remove faces"),
+    }.get(task, translate("Fill holes"))
 
 
 def continuity_text(wanted):
@@ -137,7 +148,11 @@ def fault_text(fault):
 def fill_summary(report):
     """What a fill is: how many holes, what was measured, whether it is closed."""
     filled = [hole for hole in report.holes if hole.status == "filled"]
-    lines = [sentence(len(filled), translate("{} hole filled."), translate("{} holes filled."))]
+    lines = [_as_sentence(change) for change in report.document.get("changes") or []]
+    if filled or not lines:
+        lines.append(
+            sentence(len(filled), translate("{} hole filled."), translate("{} holes filled."))
+        )
     gaps = [hole.gap for hole in filled if hole.gap is not None]
     angles = [hole.angle for hole in filled if hole.angle is not None]
     if gaps:
@@ -161,6 +176,12 @@ def fill_summary(report):
                 )
             )
     return "\n".join(lines)
+
+
+def _as_sentence(change):
+    """What the program has done to faces before it filled anything."""
+    change = in_freecads_words(change)
+    return f"{change[0].upper()}{change[1:]}."
 
 
 def whole_text(report):

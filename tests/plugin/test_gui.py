@@ -295,6 +295,32 @@ class Faults(unittest.TestCase):
 
 
 @unittest.skipUnless(shutil.which("xvfb-run"), "xvfb-run is not installed")
+class Elements(unittest.TestCase):
+    def test_edges_clicked_in_the_view_become_a_bridge_and_a_border(self):
+        said, _ = carry_out("gui_elements.edges")
+        self.assertEqual((said["first"], len(said["both"])), (["Edge2"], 2))
+        self.assertIn("Right: Edge", said["both"][1])
+        self.assertIn("two chains", said["not_yet"])
+        self.assertEqual((said["untouched"], said["bridge"]), (2, [3, 1, ["Edge2"]]))
+        self.assertEqual((said["hidden"], said["again"]), ([False, False], said["both"]))
+        self.assertEqual(said["shown"], [True, True, False])
+        self.assertEqual(said["after"], [False, False, True])
+        self.assertIn("gap of 10", said["gap"])
+        self.assertAlmostEqual(said["area"], 200 + 20, delta=1e-6)  # and the bulge of the curve
+        self.assertEqual((said["drawn"], any(said["cut_off"].values())), (0, False), said["cut_off"])
+
+    def test_faces_clicked_in_the_view_are_removed_and_replaced(self):
+        said, _ = carry_out("gui_elements.faces")
+        self.assertIn("Click the faces", said["hint"])
+        self.assertIn("grown together", said["removed"])
+        self.assertAlmostEqual(said["volume"], 6000, delta=6e-6)
+        self.assertEqual((said["sides"], said["replaced"][0]), (4, 6))
+        self.assertAlmostEqual(said["replaced"][1], 6000, delta=6e-6)
+        self.assertEqual(said["replaced"][2], ["Face2"])
+        self.assertEqual((said["drawn"], any(said["cut_off"].values())), (0, False), said["cut_off"])
+
+
+@unittest.skipUnless(shutil.which("xvfb-run"), "xvfb-run is not installed")
 class Looks(unittest.TestCase):
     """Pictures of all of this lie in the folder of the pictures: look at them after a change."""
 

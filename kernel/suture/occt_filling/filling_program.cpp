@@ -18,7 +18,11 @@ Result<std::string> make_plate(const PlateRequest& request) {
                                       a.tolerance_angular, a.tolerance_curvature, a.highest_degree,
                                       a.most_segments);
     for (const PlateSide& side : request.sides) {
-        filling.Add(side.edge, side.face, side.constraint, /*IsBound=*/Standard_True);
+        if (side.face.IsNull()) {
+            filling.Add(side.edge, GeomAbs_C0, /*IsBound=*/Standard_True);
+        } else {
+            filling.Add(side.edge, side.face, side.constraint, /*IsBound=*/Standard_True);
+        }
     }
     for (const gp_Pnt& point : request.through) {
         filling.Add(point);

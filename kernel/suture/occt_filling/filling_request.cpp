@@ -56,8 +56,11 @@ std::string packed(const PlateRequest& request) {
     for (const PlateSide& side : request.sides) {
         put(out, side.constraint);
         put_text(out, side.name);
+        put(out, side.face.IsNull());
         builder.Add(shapes, side.edge);
-        builder.Add(shapes, side.face);
+        if (!side.face.IsNull()) {
+            builder.Add(shapes, side.face);
+        }
     }
     BinTools::Write(shapes, out);
     return out.str();
@@ -74,18 +77,22 @@ PlateRequest unpacked_request(const std::string& bytes) {
         point = gp_Pnt(x, y, get<double>(in));
     }
     request.sides.resize(get<std::size_t>(in));
+    std::vector<bool> faceless;
     for (PlateSide& side : request.sides) {
         side.constraint = get<GeomAbs_Shape>(in);
         side.name = get_text(in);
+        faceless.push_back(get<bool>(in));
     }
     TopoDS_Shape shapes;
     BinTools::Read(shapes, in);
     TopoDS_Iterator next(shapes);
-    for (PlateSide& side : request.sides) {
-        side.edge = TopoDS::Edge(next.Value());
+    for (std::size_t i = 0; i < request.sides.size(); ++i) {
+        request.sides[i].edge = TopoDS::Edge(next.Value());
         next.Next();
-        side.face = TopoDS::Face(next.Value());
-        next.Next();
+        if (!faceless[i]) {
+            request.sides[i].face = TopoDS::Face(next.Value());
+            next.Next();
+        }
     }
     return request;
 }

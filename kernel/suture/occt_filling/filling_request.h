@@ -27,7 +27,7 @@ struct PlateArguments {
 
 struct PlateSide {
     TopoDS_Edge edge;
-    TopoDS_Face face;
+    TopoDS_Face face;  ///< null: there is none, and the constraint is the position alone
     GeomAbs_Shape constraint = GeomAbs_C0;
     std::string name;  ///< for messages
 };

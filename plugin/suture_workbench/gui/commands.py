@@ -4,7 +4,7 @@
 import FreeCAD as App
 import FreeCADGui as Gui
 
-from .. import RESOURCES
+from .. import RESOURCES, places
 from ..compat import QT_TRANSLATE_NOOP, translate
 from ..errors import SutureError
 from ..feature import FilledShape
@@ -61,6 +61,34 @@ def fill():
         item.obj.ViewObject.Proxy.doubleClicked(item.obj.ViewObject)
         return
     _open(FillPanel, item)
+
+
+def _with_elements(name, fits, kind):
+    """Opens a panel of elements_panel.py on what is selected; nothing of an object: on the object."""
+    from .elements_panel import PANELS
+
+    if Gui.Control.activeDialog():
+        raise SutureError(translate("Finish the open task first."))
+    items = pick.selected(fits) or [pick.target()]
+    if kind == "Face" and len(items) > 1:
+        items = [pick.target()]  # says what is wrong
+    PANELS[name](items).show(items[0].obj.Document)
+
+
+def fill_edges():
+    _with_elements("Boundary", places.has_shape, "Edge")
+
+
+def bridge():
+    _with_elements("Bridge", places.has_shape, "Edge")
+
+
+def replace_faces():
+    _with_elements("Replace", places.has_faces, "Face")
+
+
+def remove_faces():
+    _with_elements("Remove", places.has_faces, "Face")
 
 
 def sew():
@@ -125,6 +153,38 @@ _COMMANDS = [
         QT_TRANSLATE_NOOP("Suture_Fill", "Fill holes with smooth faces: at the selected edges or faces, or all of the shape"),
         "U, F",
         fill,
+        _document,
+    ),
+    (
+        "Suture_FillEdges",
+        QT_TRANSLATE_NOOP("Suture_FillEdges", "Fill from edges…"),
+        QT_TRANSLATE_NOOP("Suture_FillEdges", "Make a smooth face over the selected edges: rims of one or more objects, sketches, wires"),
+        "U, E",
+        fill_edges,
+        _document,
+    ),
+    (
+        "Suture_Bridge",
+        QT_TRANSLATE_NOOP("Suture_Bridge", "Bridge…"),
+        QT_TRANSLATE_NOOP("Suture_Bridge", "Join two edges, rims or bodies by a smooth face"),
+        "U, B",
+        bridge,
+        _document,
+    ),
+    (
+        "Suture_ReplaceFaces",
+        QT_TRANSLATE_NOOP("Suture_ReplaceFaces", "Replace faces…"),
+        QT_TRANSLATE_NOOP("Suture_ReplaceFaces", "Take the selected faces away, and fill what they leave anew"),
+        "U, N",
+        replace_faces,
+        _document,
+    ),
+    (
+        "Suture_RemoveFaces",
+        QT_TRANSLATE_NOOP("Suture_RemoveFaces", "Remove faces…"),
+        QT_TRANSLATE_NOOP("Suture_RemoveFaces", "Take the selected faces away, and let their neighbours grow together: an edge where a fillet was"),
+        "U, R",
+        remove_faces,
         _document,
     ),
     (

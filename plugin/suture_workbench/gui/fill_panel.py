@@ -30,9 +30,10 @@ class FillPanel(Panel):
 
     icon = str(RESOURCES / "icons" / "Suture_Fill.svg")
     buttons = (Buttons.Ok, Buttons.Cancel)
+    task = "Holes"
 
     def __init__(self, item, ticked=None, edited=None):
-        self.title = translate("Fill holes")
+        self.title = words.task_name(self.task)
         super().__init__("fill")
         self.item, self.edited = item, edited
         self._ticked, self._all = ticked, ticked is None
@@ -47,6 +48,10 @@ class FillPanel(Panel):
         self._timer = QtCore.QTimer(self.form)
         self._timer.setSingleShot(True)
         self._timer.timeout.connect(self._start_preview)
+        self._begin()
+
+    def _begin(self):
+        """Finds what can be filled."""
         self.status.advance(0.0, translate("Looking for holes…"))
         self._finder.start(tasks.FindHoles(self.shape))
 
@@ -59,11 +64,15 @@ class FillPanel(Panel):
         ticked = (lambda hole: bool(chosen & set(hole.edges))) if chosen else None
         panel = cls(places.Selected(base, [], [], base, ""), ticked, edited=obj)
         panel._preferred = chosen
-        for shown, visible in ((obj, False), (base, True)):
-            panel._before[shown] = shown.ViewObject.Visibility
-            shown.ViewObject.Visibility = visible
+        panel._show_instead(obj, [base])
         panel._set(options, obj)
         return panel
+
+    def _show_instead(self, obj, sources):
+        """While an object is edited, what it was made from is shown in its place."""
+        for shown, visible in ((obj, False), *((source, True) for source in sources)):
+            self._before[shown] = shown.ViewObject.Visibility
+            shown.ViewObject.Visibility = visible
 
     def watched(self):
         return [self.item.obj] + ([self.edited] if self.edited is not None else [])
@@ -72,7 +81,7 @@ class FillPanel(Panel):
 
     def _build(self, placement):
         show_heading(self.child("SutureHeading"), self.item.obj.Label)
-        self.tree = put(self.form, "holesPlace", HolesTree(self.item, placement))
+        self.tree = put(self.form, "holesPlace", self._make_list(placement))
         self.sides = put(self.form, "sidesPlace", SidesTable(self.tree, self.item))
         self.status = put(self.form, "statusPlace", Status(self._stop))
         self.through = put(self.form, "throughPlace", ThroughList(self.item.obj))
@@ -110,7 +119,6 @@ class FillPanel(Panel):
         self.method.changed.connect(lambda: self.own.show_method(self.method.key()))
         self.gap, self.angle, self.curvature = limit_boxes(self.form)
         self.child("SuturePreview").setChecked(settings.preview())
-        self.tree.setFixedHeight(120)
         self.sides.setFixedHeight(120)
         self.tree.ticked_changed.connect(self._choose_sides)
         for signal in (
@@ -127,6 +135,12 @@ class FillPanel(Panel):
             self.own.changed,
         ):
             signal.connect(self._changed)
+
+    def _make_list(self, placement):
+        """The list of what can be filled."""
+        tree = HolesTree(self.item, placement)
+        tree.setFixedHeight(120)
+        return tree
 
     def _show_heading_of_own(self, on):
         self.child("ownLabel").setVisible(on)
@@ -150,14 +164,8 @@ class FillPanel(Panel):
 
     def options(self):
         """FillOptions as the panel stands, without the points of references."""
-        holes = self.tree.ticked()
-        if not holes:
-            raise SutureError(translate("Tick a hole to fill."))
-        ordinary = {hole.id for hole in self.tree.holes() if hole.kind == reports.FILLABLE}
-        every = self._all and {hole.id for hole in holes} == ordinary
-        edges = [] if every and not self._one_face() else self._one_edge_each(holes)
         return FillOptions(
-            edges,
+            **self._chosen(),
             method=self.method.key(),
             continuity=self.continuity.key(),
             sides=self.sides.asked(),
@@ -167,10 +175,25 @@ class FillPanel(Panel):
             gap=self.gap.value(),
             angle=self.angle.value(),
             curvature=self.curvature.value(),
-            one_face=self._one_face(),
-            all_loops=any(hole.kind != reports.FILLABLE for hole in holes),
             keep_bad=True,  # to be seen; whether it stays is asked in the end
         )
+
+    def _chosen(self):
+        """What is to be filled, as FillOptions has it."""
+        holes = self.tree.ticked()
+        if not holes:
+            raise SutureError(self._hint())
+        ordinary = {hole.id for hole in self.tree.holes() if hole.kind == reports.FILLABLE}
+        every = self._all and {hole.id for hole in holes} == ordinary
+        return {
+            "edges": [] if every and not self._one_face() else self._one_edge_each(holes),
+            "one_face": self._one_face(),
+            "all_loops": any(hole.kind != reports.FILLABLE for hole in holes),
+        }
+
+    def _hint(self):
+        """What to do where nothing is chosen."""
+        return translate("Tick a hole to fill.")
 
     def _one_face(self):
         return self.child("SutureOneFace").isChecked()
@@ -224,7 +247,7 @@ class FillPanel(Panel):
         if self._finder.busy():
             return
         if not self.tree.ticked():
-            self.status.plain(translate("Tick a hole to fill."))
+            self.status.plain(self._hint())
         elif self.child("SuturePreview").isChecked():
             self.status.advance(0.0, translate("Working…"))
             self._timer.start(_PAUSE_MS)
@@ -250,7 +273,7 @@ class FillPanel(Panel):
 
     def _previewed(self, filled):
         self._shown = (self._pending.key(), self._pending, filled)
-        self._drawing.show(filled)
+        self._drawing.show(filled, self._pending.shape)
         self.sides.measured(filled.report)
         if filled.report.ok:
             self.status.good(words.fill_summary(filled.report))

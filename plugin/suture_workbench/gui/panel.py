@@ -91,6 +91,12 @@ class Panel:
     def leave(self):
         """Takes away what the panel has drawn and started."""
 
+    def clicked_in_view(self, top, sub, point):
+        """The user has clicked something in the 3D view."""
+        found = places.element_in(self.item, top, sub)
+        if found is not None:
+            self.picked(*found, point)
+
     def picked(self, kind, number, point):
         """The user has clicked an element ("Edge", 9) of the item in the 3D view."""
 
@@ -152,10 +158,7 @@ class _Picks:
         Gui.Selection.removeObserver(self)
 
     def addSelection(self, document, name, sub, point):
-        item = self._panel.item
-        if item is None or not sub or pick.selecting():
+        if self._panel.item is None or not sub or pick.selecting():
             return
         top = App.getDocument(document).getObject(name)
-        found = places.element_in(item, top, sub)
-        if found is not None:
-            self._panel.picked(*found, App.Vector(*point))
+        self._panel.clicked_in_view(top, sub, App.Vector(*point))

@@ -9,9 +9,9 @@ from ..compat import translate
 from ..errors import SutureError
 
 
-def selected():
-    """places.Selected of everything selected that has a shape."""
-    return places.selection(Gui.Selection.getSelectionEx("", 0))
+def selected(fits=places.has_faces):
+    """places.Selected of everything selected that has faces, or fits otherwise."""
+    return places.selection(Gui.Selection.getSelectionEx("", 0), fits)
 
 
 def target():
@@ -99,12 +99,17 @@ def selecting():
 
 def select_edges(item, edges):
     """Selects edges of an object, so that the view shows them."""
+    select_elements(item, "Edge", edges)
+
+
+def select_elements(item, kind, numbers):
+    """Selects edges or faces of an object."""
     global _own_selection
     _own_selection = True
     try:
         Gui.Selection.clearSelection()
-        for edge in edges:
-            name = item.path + parts.element_path(item.obj, "Edge", edge)
+        for number in numbers:
+            name = item.path + parts.element_path(item.obj, kind, number)
             Gui.Selection.addSelection(item.top.Document.Name, item.top.Name, name)
     finally:
         _own_selection = False

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The new faces of a fill, drawn before there is an object."""
 
-from .. import meshes
+from .. import exchange, meshes
 from . import overlay, shading
 
 
@@ -13,11 +13,12 @@ class Preview:
         self._meshes = []
         self._kind = shading.NONE
 
-    def show(self, filled):
+    def show(self, filled, before):
+        """Draws what is new in a tasks.Filled; where nothing is, what has grown. before   the shape then"""
         deflection = meshes.fineness(filled.shape)
         self._meshes = [
             meshes.mesh_of(filled.shape.Faces[number - 1], deflection)
-            for number in filled.new_faces
+            for number in filled.new_faces or exchange.changed_faces(before, filled.shape)
         ]
         self._draw()
 

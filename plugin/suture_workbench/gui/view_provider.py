@@ -4,7 +4,15 @@
 import FreeCADGui as Gui
 
 from .. import RESOURCES, exchange, parts, places
-from ..compat import QtCore, Stateless, face_colors, plain_color, set_face_colors, translate
+from ..compat import (
+    QtCore,
+    Stateless,
+    element_of,
+    face_colors,
+    plain_color,
+    set_face_colors,
+    translate,
+)
 from ..errors import SutureError
 from . import failures
 
@@ -21,11 +29,10 @@ class FilledShapeView(Stateless):
         self.Object = view_object.Object
 
     def getIcon(self):
-        return str(RESOURCES / "icons" / "Suture_Fill.svg")
+        return str(RESOURCES / "icons" / f"Suture_{_ICONS[self.Object.Task]}.svg")
 
     def claimChildren(self):
-        base = self.Object.Base
-        return [base[0]] if base and base[0] else []
+        return _sources(self.Object)
 
     def updateData(self, obj, name):
         if name == "NewFaces":  # set after Shape, when all is there
@@ -33,15 +40,15 @@ class FilledShapeView(Stateless):
 
     def keep_colors(self, obj):
         """The old faces have the colours that they have in the base, new ones its first colour."""
-        base = obj.Base[0] if obj.Base else None
-        if base is None:
-            return
-        views = [leaf.ViewObject for leaf in parts.leaf_objects(base)]
+        sources = _sources(obj)
+        views = [leaf.ViewObject for base in sources for leaf in parts.leaf_objects(base)]
         views = [view for view in views if view is not None and hasattr(view, "DiffuseColor")]
         if not views:
             return
-        before, after = len(places.shape_of(base).Faces), len(obj.Shape.Faces)
-        origins = exchange.face_origins(obj.NewFaces, before, after)
+        before = sum(len(places.shape_of(base).Faces) for base in sources)
+        gone = [element_of(sub) for sub in obj.Base[1] or ()]
+        gone = [int(name[4:]) for name in gone if name.startswith("Face")]
+        origins = exchange.face_origins(obj.NewFaces, before, len(obj.Shape.Faces), gone)
         colors = [color for view in views for color in _colors_of(view)]
         obj.ViewObject.ShapeColor = views[0].ShapeColor
         obj.ViewObject.Transparency = views[0].Transparency
@@ -53,9 +60,9 @@ class FilledShapeView(Stateless):
         )
 
     def onDelete(self, view_object, subs):
-        base = view_object.Object.Base
-        if base and base[0] and base[0].ViewObject:
-            base[0].ViewObject.Visibility = True
+        for base in _sources(view_object.Object):
+            if base.ViewObject:
+                base.ViewObject.Visibility = True
         return True
 
     def doubleClicked(self, view_object):
@@ -68,13 +75,15 @@ class FilledShapeView(Stateless):
         return True
 
     def setEdit(self, view_object, mode=0):
+        from .elements_panel import PANELS
         from .fill_panel import FillPanel
 
         if mode != 0:
             return None
         obj = view_object.Object
         try:
-            self._panel = FillPanel.edit(obj).show(obj.Document)
+            panel = PANELS.get(obj.Task, FillPanel)
+            self._panel = panel.edit(obj).show(obj.Document)
         except SutureError as error:
             failures.show(error)
             return False
@@ -86,6 +95,23 @@ class FilledShapeView(Stateless):
         if panel is not None:
             panel.close()
         return True
+
+
+_ICONS = {
+    "Holes": "Fill",
+    "Boundary": "FillEdges",
+    "Bridge": "Bridge",
+    "Replace": "ReplaceFaces",
+    "Remove": "RemoveFaces",
+}
+
+
+def _sources(obj):
+    """The objects that it is made from, the base first."""
+    base = obj.Base[0] if obj.Base else None
+    if base is None:
+        return []
+    return list(dict.fromkeys([base, *(other for other, _ in obj.MoreEdges or ())]))
 
 
 def _edit(obj):

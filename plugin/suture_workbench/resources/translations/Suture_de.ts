@@ -15,11 +15,6 @@
     </message>
     <message>
       <location filename="suture_workbench/api.py" />
-      <source>Fill holes</source>
-      <translation>Löcher füllen</translation>
-    </message>
-    <message>
-      <location filename="suture_workbench/api.py" />
       <source>{} sewn</source>
       <translation>{} genäht</translation>
     </message>
@@ -57,6 +52,21 @@
       <location filename="suture_workbench/feature.py" />
       <source>{} has no base: choose one in its property Base.</source>
       <translation>{} hat keine Basis: wählen Sie eine in der Eigenschaft Base.</translation>
+    </message>
+    <message>
+      <location filename="suture_workbench/feature.py" />
+      <source>{} bridged</source>
+      <translation>{} überbrückt</translation>
+    </message>
+    <message>
+      <location filename="suture_workbench/feature.py" />
+      <source>{} with new faces</source>
+      <translation>{} mit neuen Flächen</translation>
+    </message>
+    <message>
+      <location filename="suture_workbench/feature.py" />
+      <source>{} without faces</source>
+      <translation>{} ohne Flächen</translation>
     </message>
     <message>
       <location filename="suture_workbench/feature.py" />
@@ -194,6 +204,51 @@
       <translation>Flächen</translation>
     </message>
     <message>
+      <location filename="suture_workbench/gui/elements_list.py" />
+      <source>Take away</source>
+      <translation>Wegnehmen</translation>
+    </message>
+    <message>
+      <location filename="suture_workbench/gui/elements_list.py" />
+      <source>Takes the rows that are selected out of the list</source>
+      <translation>Nimmt die gewählten Zeilen aus der Liste</translation>
+    </message>
+    <message>
+      <location filename="suture_workbench/gui/elements_list.py" />
+      <source>Bridge gaps by curves</source>
+      <translation>Lücken mit Kurven überbrücken</translation>
+    </message>
+    <message>
+      <location filename="suture_workbench/gui/elements_list.py" />
+      <source>Where edges do not meet, a smooth curve from one to the next closes the border</source>
+      <translation>Wo Kanten sich nicht treffen, schließt eine glatte Kurve von einer zur nächsten den Rand</translation>
+    </message>
+    <message>
+      <location filename="suture_workbench/gui/elements_list.py" />
+      <source>curve</source>
+      <translation>Kurve</translation>
+    </message>
+    <message>
+      <location filename="suture_workbench/gui/elements_panel.py" />
+      <source>Click the edges around the new face, in any order.</source>
+      <translation>Klicken Sie die Kanten rings um die neue Fläche an, in beliebiger Reihenfolge.</translation>
+    </message>
+    <message>
+      <location filename="suture_workbench/gui/elements_panel.py" />
+      <source>Click the edges of both sides, in any order.</source>
+      <translation>Klicken Sie die Kanten beider Seiten an, in beliebiger Reihenfolge.</translation>
+    </message>
+    <message>
+      <location filename="suture_workbench/gui/elements_panel.py" />
+      <source>Click the faces that are to be made anew.</source>
+      <translation>Klicken Sie die Flächen an, die neu gemacht werden sollen.</translation>
+    </message>
+    <message>
+      <location filename="suture_workbench/gui/elements_panel.py" />
+      <source>Click the faces that are to go.</source>
+      <translation>Klicken Sie die Flächen an, die verschwinden sollen.</translation>
+    </message>
+    <message>
       <location filename="suture_workbench/gui/failures.py" />
       <source>Keep it</source>
       <translation>Behalten</translation>
@@ -240,13 +295,13 @@
     </message>
     <message>
       <location filename="suture_workbench/gui/fill_panel.py" />
-      <source>Looking for holes…</source>
-      <translation>Suche nach Löchern…</translation>
+      <source>Tick a hole to fill.</source>
+      <translation>Haken Sie ein Loch an.</translation>
     </message>
     <message>
       <location filename="suture_workbench/gui/fill_panel.py" />
-      <source>Tick a hole to fill.</source>
-      <translation>Haken Sie ein Loch an.</translation>
+      <source>Looking for holes…</source>
+      <translation>Suche nach Löchern…</translation>
     </message>
     <message>
       <location filename="suture_workbench/gui/fill_panel.py" />
@@ -629,6 +684,21 @@ oder installieren oder angeben, wo es ist: Bearbeiten &gt; Einstellungen &gt; Su
     </message>
     <message>
       <location filename="suture_workbench/properties.py" />
+      <source>What is filled: holes, a border of chosen edges, a bridge, faces that go</source>
+      <translation>Was gefüllt wird: Löcher, ein Rand aus gewählten Kanten, eine Brücke, entfernte Flächen</translation>
+    </message>
+    <message>
+      <location filename="suture_workbench/properties.py" />
+      <source>Edges of other objects that belong to the border or the bridge</source>
+      <translation>Kanten anderer Objekte, die zum Rand oder zur Brücke gehören</translation>
+    </message>
+    <message>
+      <location filename="suture_workbench/properties.py" />
+      <source>Bridge gaps between the edges of a border by curves</source>
+      <translation>Lücken zwischen den Kanten eines Randes mit Kurven überbrücken</translation>
+    </message>
+    <message>
+      <location filename="suture_workbench/properties.py" />
       <source>The fill method; auto tries what applies and keeps the best</source>
       <translation>Das Füllverfahren; auto probiert, was infrage kommt, und behält das beste</translation>
     </message>
@@ -719,8 +789,8 @@ oder installieren oder angeben, wo es ist: Bearbeiten &gt; Einstellungen &gt; Su
     </message>
     <message>
       <location filename="suture_workbench/properties.py" />
-      <source>A point on each edge that is named, to know it by when numbers change</source>
-      <translation>Ein Punkt auf jeder genannten Kante, an dem sie erkannt wird, wenn sich Nummern ändern</translation>
+      <source>A point on each edge and face that is named, to know it by when numbers change</source>
+      <translation>Ein Punkt auf jeder genannten Kante und Fläche, an dem sie zu erkennen ist, wenn Nummern sich ändern</translation>
     </message>
     <message>
       <location filename="suture_workbench/properties.py" />
@@ -791,6 +861,11 @@ oder installieren oder angeben, wo es ist: Bearbeiten &gt; Einstellungen &gt; Su
       <location filename="suture_workbench/tasks.py" />
       <source>Given up after {} s, the limit set in the preferences.</source>
       <translation>Nach {} s aufgegeben, der Grenze aus den Einstellungen.</translation>
+    </message>
+    <message>
+      <location filename="suture_workbench/words.py" />
+      <source>Fill holes</source>
+      <translation>Löcher füllen</translation>
     </message>
     <message>
       <location filename="suture_workbench/words.py" />
@@ -884,16 +959,6 @@ oder installieren oder angeben, wo es ist: Bearbeiten &gt; Einstellungen &gt; Su
     </message>
     <message>
       <location filename="suture_workbench/words.py" />
-      <source>{} hole filled.</source>
-      <translation>{} Loch gefüllt.</translation>
-    </message>
-    <message>
-      <location filename="suture_workbench/words.py" />
-      <source>{} holes filled.</source>
-      <translation>{} Löcher gefüllt.</translation>
-    </message>
-    <message>
-      <location filename="suture_workbench/words.py" />
       <source>Edge numbers are those after the loose faces were sewn.</source>
       <translation>Die Kantennummern gelten nach dem Zusammennähen der losen Flächen.</translation>
     </message>
@@ -954,6 +1019,26 @@ oder installieren oder angeben, wo es ist: Bearbeiten &gt; Einstellungen &gt; Su
     </message>
     <message>
       <location filename="suture_workbench/words.py" />
+      <source>Fill from edges</source>
+      <translation>Aus Kanten füllen</translation>
+    </message>
+    <message>
+      <location filename="suture_workbench/words.py" />
+      <source>Bridge</source>
+      <translation>Überbrücken</translation>
+    </message>
+    <message>
+      <location filename="suture_workbench/words.py" />
+      <source>Replace faces</source>
+      <translation>Flächen ersetzen</translation>
+    </message>
+    <message>
+      <location filename="suture_workbench/words.py" />
+      <source>Remove faces</source>
+      <translation>Flächen entfernen</translation>
+    </message>
+    <message>
+      <location filename="suture_workbench/words.py" />
       <source>The limits of CATIA's Connect Checker; the strictest.</source>
       <translation>Die Grenzen des Connect Checkers von CATIA; die strengsten.</translation>
     </message>
@@ -996,6 +1081,16 @@ oder installieren oder angeben, wo es ist: Bearbeiten &gt; Einstellungen &gt; Su
       <location filename="suture_workbench/words.py" />
       <source>{} other open borders, which are no holes.</source>
       <translation>{} andere offene Ränder, die keine Löcher sind.</translation>
+    </message>
+    <message>
+      <location filename="suture_workbench/words.py" />
+      <source>{} hole filled.</source>
+      <translation>{} Loch gefüllt.</translation>
+    </message>
+    <message>
+      <location filename="suture_workbench/words.py" />
+      <source>{} holes filled.</source>
+      <translation>{} Löcher gefüllt.</translation>
     </message>
     <message>
       <location filename="suture_workbench/words.py" />
@@ -1587,6 +1682,58 @@ oder installieren oder angeben, wo es ist: Bearbeiten &gt; Einstellungen &gt; Su
       <location filename="suture_workbench/gui/commands.py" />
       <source>Fill holes with smooth faces: at the selected edges or faces, or all of the shape</source>
       <translation>Löcher mit glatten Flächen füllen: an den gewählten Kanten oder Flächen, oder alle der Form</translation>
+    </message>
+  </context>
+  <context>
+    <name>Suture_FillEdges</name>
+    <message>
+      <location filename="suture_workbench/gui/commands.py" />
+      <source>Fill from edges…</source>
+      <translation>Aus Kanten füllen…</translation>
+    </message>
+    <message>
+      <location filename="suture_workbench/gui/commands.py" />
+      <source>Make a smooth face over the selected edges: rims of one or more objects, sketches, wires</source>
+      <translation>Macht eine glatte Fläche über den gewählten Kanten: Ränder eines oder mehrerer Objekte, Skizzen, Drähte</translation>
+    </message>
+  </context>
+  <context>
+    <name>Suture_Bridge</name>
+    <message>
+      <location filename="suture_workbench/gui/commands.py" />
+      <source>Bridge…</source>
+      <translation>Überbrücken…</translation>
+    </message>
+    <message>
+      <location filename="suture_workbench/gui/commands.py" />
+      <source>Join two edges, rims or bodies by a smooth face</source>
+      <translation>Verbindet zwei Kanten, Ränder oder Körper durch eine glatte Fläche</translation>
+    </message>
+  </context>
+  <context>
+    <name>Suture_ReplaceFaces</name>
+    <message>
+      <location filename="suture_workbench/gui/commands.py" />
+      <source>Replace faces…</source>
+      <translation>Flächen ersetzen…</translation>
+    </message>
+    <message>
+      <location filename="suture_workbench/gui/commands.py" />
+      <source>Take the selected faces away, and fill what they leave anew</source>
+      <translation>Nimmt die gewählten Flächen weg und füllt neu, was sie hinterlassen</translation>
+    </message>
+  </context>
+  <context>
+    <name>Suture_RemoveFaces</name>
+    <message>
+      <location filename="suture_workbench/gui/commands.py" />
+      <source>Remove faces…</source>
+      <translation>Flächen entfernen…</translation>
+    </message>
+    <message>
+      <location filename="suture_workbench/gui/commands.py" />
+      <source>Take the selected faces away, and let their neighbours grow together: an edge where a fillet was</source>
+      <translation>Nimmt die gewählten Flächen weg und lässt ihre Nachbarn zusammenwachsen: eine Kante, wo eine Rundung war</translation>
     </message>
   </context>
   <context>
