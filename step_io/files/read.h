@@ -27,7 +27,8 @@ enum class Content { Faces, Curves };
 /// Of an assembly whose parts lie in other STEP files, only those in the folder of the file or
 /// below are read; ModelFile::missing_files names the others.
 /// Input    content: whether a file that has curves alone will do.
-/// Refuses  (Unreadable) what OCCT cannot read, a file without any face (edge), and numbers that no work
+/// Refuses  (Unreadable) what OCCT cannot read, a file without any face (edge), and numbers that no
+/// work
 ///          can bear (files/check_numbers.h).
 [[nodiscard]] Result<ModelFile> read_model(const std::filesystem::path& file,
                                            const Progress& progress,
