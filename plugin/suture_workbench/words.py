@@ -354,6 +354,7 @@ def option_name(key):
         "degree": translate("Degree"),
         "cells": translate("Cells"),
         "faces": translate("Faces"),
+        "tension": translate("Tension"),
         "salience": translate("Cut branches"),
         "flatness": translate("Drop flat nodes"),
     }.get(key, key)

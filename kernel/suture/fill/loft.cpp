@@ -1,16 +1,20 @@
 #include "suture/fill/loft.h"
 
 #include "suture/fill/concentric/fit.h"
+#include "suture/fill/loft/rail.h"
+#include "suture/fill/loft/spans.h"
 
-#include <Eigen/Geometry>
-
+#include <algorithm>
 #include <cmath>
-#include <optional>
 
 namespace suture {
 namespace {
 
+using Eigen::Vector2d;
 using Eigen::Vector3d;
+using loft::LoftEnd;
+using loft::LoftSpan;
+using loft::Rail;
 
 /// The fit along the sides is so many times nearer than the tolerance: slopes lose a digit.
 constexpr double kFitShare = 1e-3;
@@ -20,45 +24,8 @@ constexpr int kSamples = 32;
 
 constexpr int kDegree = 5;
 
-bool is_curve(const Ribbon& ribbon) {
-    return ribbon.face == 0;
-}
-
-/// A tangent vector of a neighbour in the frame of its ribbon.
-struct Leaving {
-    double inward = 0.0;
-    double along = 0.0;
-};
-
-Leaving leaving_of(const RibbonPoint& point, const Vector3d& vector) {
-    return {vector.dot(point.inward), vector.dot(point.tangent.normalized())};
-}
-
-/// One of the two sides that are bridged, run through in one direction.
-struct Rail {
-    const Ribbon* ribbon = nullptr;
-    bool backwards = false;
-    Leaving first, last;  ///< how the surface leaves its ends
-
-    [[nodiscard]] RibbonPoint at(double u) const { return ribbon->at(backwards ? 1.0 - u : u); }
-
-    /// How it leaves the side between them: in the neighbour's tangent plane everywhere.
-    [[nodiscard]] Vector3d leaving(double u) const {
-        const RibbonPoint point = at(u);
-        const double inward = (1.0 - u) * first.inward + u * last.inward;
-        const double along = (1.0 - u) * first.along + u * last.along;
-        return inward * point.inward + along * point.tangent.normalized();
-    }
-};
-
-/// The four rows of Bezier points across at u, one below the other.
-Eigen::VectorXd column(const Rail& from, const Rail& to, double u) {
-    const Vector3d a = from.at(u).point;
-    const Vector3d b = to.at(u).point;
-    Eigen::VectorXd rows(12);
-    rows << a, a + from.leaving(u) / 3.0, b + to.leaving(u) / 3.0, b;
-    return rows;
-}
+/// Parameters of knots that are nearer than this are one.
+constexpr double kSameKnot = 1e-9;
 
 Vector3d cubic(const Eigen::VectorXd& rows, double v) {
     const double w = 1.0 - v;
@@ -66,19 +33,28 @@ Vector3d cubic(const Eigen::VectorXd& rows, double v) {
            3.0 * w * v * v * rows.segment<3>(6) + v * v * v * rows.segment<3>(9);
 }
 
-/// The side from which the other three go on as a curve, a side and a curve.
-std::optional<std::size_t> first_rail(const Hole& hole) {
-    if (hole.loops.size() != 1 || hole.loops.front().ribbons.size() != 4) {
-        return std::nullopt;
-    }
-    const std::vector<Ribbon>& sides = hole.loops.front().ribbons;
-    for (const std::size_t k : {std::size_t{0}, std::size_t{1}}) {
-        if (!is_curve(sides[k]) && is_curve(sides[k + 1]) && !is_curve(sides[k + 2]) &&
-            is_curve(sides[(k + 3) % 4])) {
-            return k;
+/// Where the rails' sides meet the surface is once continuously differentiable along them.
+std::vector<concentric::Break> breaks_of(const LoftSpan& span) {
+    const auto [low, high] = span.range();
+    std::vector<double> places = {low, high};
+    for (const double shift : {-1.0, 0.0, 1.0}) {
+        for (const double u : span.from.joints()) {
+            places.push_back(u + shift);
+        }
+        for (const double u : span.to.joints()) {
+            places.push_back(u + shift + span.shift);
         }
     }
-    return std::nullopt;
+    std::ranges::sort(places);
+    std::vector<concentric::Break> breaks;
+    for (const double u : places) {
+        const bool inside = u >= low && u <= high;
+        if (inside && (breaks.empty() || u > breaks.back().at + kSameKnot)) {
+            breaks.push_back({u, 1});
+        }
+    }
+    breaks.back().at = high;
+    return breaks;
 }
 
 SplineSurface surface_of(const SplineCurve& fitted) {
@@ -97,51 +73,85 @@ SplineSurface surface_of(const SplineCurve& fitted) {
     return surface;
 }
 
+/// The sides of a rail on the line v of the domain, in the order of the loop.
+void add_rail(const Rail& rail, int loop, double v, double shift, std::vector<EdgeUse>& wire) {
+    for (const std::size_t side : rail.sides()) {
+        wire.push_back({loop, static_cast<int>(side), false,
+                        [rail, side, v, shift](double s) {
+                            return Vector2d(rail.place_of(side, s) + shift, v);
+                        },
+                        false});
+    }
+}
+
+/// The line across at one end of a span: an inner edge from the first rail to the second, or a free
+/// side of the hole.
+EdgeUse across(const LoftEnd& end, double u, double shift, bool first) {
+    if (end.side) {
+        // At u = 1 it is walked from the first rail to the second, at u = 0 back.
+        return {0, static_cast<int>(*end.side), false,
+                [u, first](double s) { return Vector2d(u, first ? 1.0 - s : s); }, false};
+    }
+    return {-1, end.edge, first, [u, shift](double s) { return Vector2d(u + shift * s, s); },
+            false};
+}
+
+/// Whether a free side is the cubic that leaves both neighbours as it does itself.
+Result<void> expect_cubic(const LoftSpan& span, const LoftEnd& end, bool first,
+                          const RibbonLoop& loop, double tolerance) {
+    if (!end.side) {
+        return {};
+    }
+    const Ribbon& side = loop.ribbons[*end.side];
+    const Eigen::VectorXd rows = span.column(first ? 0.0 : 1.0);
+    for (int i = 0; i <= kSamples; ++i) {
+        const double v = static_cast<double>(i) / kSamples;
+        const double apart = (side.at(first ? 1.0 - v : v).point - cubic(rows, v)).norm();
+        if (apart > tolerance) {
+            return fail(ErrorCode::Refused,
+                        "{} is {:.3g} from the cubic that is tangent to both neighbours",
+                        name_of(side), apart);
+        }
+    }
+    return {};
+}
+
 }  // namespace
 
 Result<FillResult> fill_loft(const Hole& hole, const FillOptions& options) {
-    const auto k = first_rail(hole);
-    if (!k) {
-        return fail(ErrorCode::Refused,
-                    "the hole is no bridge: it needs four sides, two opposite ones of them curves "
-                    "without a face");
+    if (!hole.through.empty()) {
+        return fail(ErrorCode::Refused, "a loft passes no inner points: {} were given",
+                    hole.through.size());
     }
-    const std::vector<Ribbon>& sides = hole.loops.front().ribbons;
-    const Ribbon& curve = sides[*k + 1];       // at u = 1, from the first rail to the second
-    const Ribbon& back = sides[(*k + 3) % 4];  // at u = 0, from the second to the first
-    Rail from{&sides[*k], false, {}, {}};
-    Rail to{&sides[*k + 2], true, {}, {}};
-    from.first = leaving_of(from.at(0.0), -back.at(1.0).tangent);
-    from.last = leaving_of(from.at(1.0), curve.at(0.0).tangent);
-    to.first = leaving_of(to.at(0.0), back.at(0.0).tangent);
-    to.last = leaving_of(to.at(1.0), -curve.at(1.0).tangent);
-    for (int i = 0; i <= kSamples; ++i) {
-        const double v = static_cast<double>(i) / kSamples;
-        for (const auto& [side, u, s] :
-             {std::tuple(&curve, 1.0, v), std::tuple(&back, 0.0, 1.0 - v)}) {
-            const double apart = (side->at(s).point - cubic(column(from, to, u), v)).norm();
-            if (apart > options.tolerance.linear) {
-                return fail(ErrorCode::Refused,
-                            "{} is {:.3g} from the cubic that is tangent to both neighbours",
-                            name_of(*side), apart);
+    const auto layout = loft::lay_out(hole, find_number(options.own, "tension").value_or(1.0));
+    if (!layout) {
+        return tl::unexpected(layout.error());
+    }
+    FillResult result;
+    result.inner_edges = layout->inner_edges;
+    const int second = static_cast<int>(hole.loops.size()) - 1;
+    for (const LoftSpan& span : layout->spans) {
+        for (const bool first : {true, false}) {
+            auto fits = expect_cubic(span, first ? span.begin : span.end, first, hole.loops.front(),
+                                     options.tolerance.linear);
+            if (!fits) {
+                return tl::unexpected(fits.error());
             }
         }
+        const auto fitted =
+            concentric::fit_curve([&](double u) { return span.column(u); }, breaks_of(span),
+                                  kDegree, kFitShare * options.tolerance.linear);
+        Patch patch;
+        patch.surface = surface_of(fitted.curve);
+        patch.exact = false;
+        patch.fit_error = fitted.error;
+        std::vector<EdgeUse>& wire = patch.wires.emplace_back();
+        add_rail(span.from, 0, 0.0, 0.0, wire);
+        wire.push_back(across(span.end, 1.0, span.shift, /*first=*/false));
+        add_rail(span.to, second, 1.0, span.shift, wire);
+        wire.push_back(across(span.begin, 0.0, span.shift, /*first=*/true));
+        result.patches.push_back(std::move(patch));
     }
-    const auto fitted =
-        concentric::fit_curve([&](double u) { return column(from, to, u); }, {{0.0, 0}, {1.0, 0}},
-                              kDegree, kFitShare * options.tolerance.linear);
-    Patch patch;
-    patch.surface = surface_of(fitted.curve);
-    patch.exact = false;
-    patch.fit_error = fitted.error;
-    std::vector<TrimCurve> trims(4);
-    trims[*k] = [](double s) { return Eigen::Vector2d(s, 0.0); };
-    trims[*k + 1] = [](double s) { return Eigen::Vector2d(1.0, s); };
-    trims[*k + 2] = [](double s) { return Eigen::Vector2d(1.0 - s, 1.0); };
-    trims[(*k + 3) % 4] = [](double s) { return Eigen::Vector2d(0.0, 1.0 - s); };
-    patch.wires = {wire_of_loop(0, std::move(trims))};
-    FillResult result;
-    result.patches.push_back(std::move(patch));
     return result;
 }
 

@@ -1284,6 +1284,11 @@ oder installieren oder angeben, wo es ist: Bearbeiten &gt; Einstellungen &gt; Su
     </message>
     <message>
       <location filename="suture_workbench/words.py" />
+      <source>Tension</source>
+      <translation>Spannung</translation>
+    </message>
+    <message>
+      <location filename="suture_workbench/words.py" />
       <source>Cut branches</source>
       <translation>Äste kappen</translation>
     </message>
