@@ -17,17 +17,18 @@ namespace fs = std::filesystem;
 
 constexpr std::string_view kListOptions[] = {"--hole",          "--holes",         "--edge",
                                              "--edges",         "--through-edges", "--boundary",
-                                             "--replace-faces", "--remove-faces"};
+                                             "--replace-faces", "--remove-faces",  "--split"};
 
 /// A range like 1-1000000000 is a slip of the pen, not a list of edges.
 constexpr int kLongestRange = 1'000'000;
 
-/// How FreeCAD calls edge 12, and face 12.
+/// How FreeCAD calls edge 12, face 12 and vertex 12.
 constexpr std::string_view kFreecadEdge = "Edge";
 constexpr std::string_view kFreecadFace = "Face";
+constexpr std::string_view kFreecadVertex = "Vertex";
 
 bool is_number_list(std::string_view word) {
-    for (const std::string_view prefix : {kFreecadEdge, kFreecadFace}) {
+    for (const std::string_view prefix : {kFreecadEdge, kFreecadFace, kFreecadVertex}) {
         if (word.starts_with(prefix)) {
             word.remove_prefix(prefix.size());
         }
@@ -146,6 +147,17 @@ Result<std::vector<int>> parse_edges(std::string_view text) {
 
 Result<std::vector<int>> parse_faces(std::string_view text) {
     return parse_ranges(text, kFreecadFace, "a face", "faces");
+}
+
+Result<std::pair<int, int>> parse_vertices(std::string_view text) {
+    const auto vertices = parse_ranges(text, kFreecadVertex, "a vertex", "vertices");
+    if (!vertices) {
+        return tl::unexpected(vertices.error());
+    }
+    if (vertices->size() != 2 || vertices->front() == vertices->back()) {
+        return fail(ErrorCode::Usage, "'{}' is no pair of vertices: write it as 3,7", text);
+    }
+    return std::pair(vertices->front(), vertices->back());
 }
 
 Result<std::optional<Continuity>> parse_continuity(std::string_view text) {

@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace suture::cli {
@@ -26,6 +27,9 @@ namespace suture::cli {
 
 /// The same of faces: "12,15-17", "Face12"
 [[nodiscard]] Result<std::vector<int>> parse_faces(std::string_view text);
+
+/// "3,7", "Vertex3,Vertex7" -> {3, 7}
+[[nodiscard]] Result<std::pair<int, int>> parse_vertices(std::string_view text);
 
 /// "G1", "g1" -> G1; "auto" -> none
 [[nodiscard]] Result<std::optional<Continuity>> parse_continuity(std::string_view text);

@@ -113,15 +113,11 @@ Result<std::vector<PartRequest>> all_holes(const FillRequest& request,
 Result<std::vector<PartRequest>> divide_boundaries(const FillRequest& request,
                                                    const std::vector<PartLoops>& parts) {
     std::vector<occ::Numbering> own;
-    int loops = 0;
     for (const PartLoops& part : parts) {
         own.emplace_back(part.part.shape);
-        loops += static_cast<int>(part.loops.size());
     }
     std::vector<PartRequest> result = empty_requests(request, parts.size());
-    int most = 0;  // loops of boundaries in one part
     for (const std::vector<int>& boundary : request.boundaries) {
-        most += static_cast<int>(boundary.size());
         const auto part = find_part(parts, [&](const PartLoops& p) {
             return own[static_cast<std::size_t>(&p - parts.data())].edges.Contains(
                 p.numbering.edges(boundary.front()));
@@ -132,10 +128,6 @@ Result<std::vector<PartRequest>> divide_boundaries(const FillRequest& request,
                         boundary.front());
         }
         result[*part].request.boundaries.push_back(boundary);
-    }
-    for (PartRequest& part : result) {
-        part.request.first_new_id =
-            loops + 1 + most * static_cast<int>(part.part) - parts[part.part].ids_before;
     }
     std::erase_if(result, [](const PartRequest& part) { return part.request.boundaries.empty(); });
     return result;
@@ -191,9 +183,32 @@ Result<std::vector<std::vector<int>>> holes_like(const HoleFilter& filter,
     return holes;
 }
 
-Result<std::vector<PartRequest>> divide_request(const FillRequest& request,
-                                                const std::vector<PartLoops>& parts,
-                                                int edges_in_model) {
+namespace {
+
+/// Borders that were chosen, and parts of holes that are cut in two, have ids behind those of all
+/// loops; no two parts of the model the same ones.
+void give_new_ids(const FillRequest& request, const std::vector<PartLoops>& parts,
+                  std::vector<PartRequest>& requests) {
+    std::size_t loops = 0;
+    std::size_t edges = 0;
+    for (const PartLoops& part : parts) {
+        loops += part.loops.size();
+        for (const BoundaryLoop& loop : part.loops) {
+            edges += loop.edges.size();
+        }
+    }
+    for (const std::vector<int>& boundary : request.boundaries) {
+        edges += boundary.size();
+    }
+    const std::size_t most = 2 * edges;  // a border for each edge, and as many cuts
+    for (PartRequest& part : requests) {
+        part.request.first_new_id =
+            static_cast<int>(loops + 1 + most * part.part) - parts[part.part].ids_before;
+    }
+}
+
+Result<std::vector<PartRequest>> divided(const FillRequest& request,
+                                         const std::vector<PartLoops>& parts, int edges_in_model) {
     for (const auto& [edge, continuity] : request.edge_continuity) {
         const auto part = part_of_edge(edge, parts, edges_in_model);
         if (!part) {
@@ -235,6 +250,17 @@ Result<std::vector<PartRequest>> divide_request(const FillRequest& request,
         return part.request.holes.empty() && part.request.edges.empty();
     });
     return result;
+}
+
+}  // namespace
+
+Result<std::vector<PartRequest>> divide_request(const FillRequest& request,
+                                                const std::vector<PartLoops>& parts,
+                                                int edges_in_model) {
+    return divided(request, parts, edges_in_model).map([&](std::vector<PartRequest>&& requests) {
+        give_new_ids(request, parts, requests);
+        return std::move(requests);
+    });
 }
 
 }  // namespace suture::cli

@@ -50,11 +50,15 @@ constexpr CommandHelp kBridgeHelp{
     "  suture bridge pipes.step -o pipe.step --edges 2,8 --continuity G2\n"
     "Exit codes: as those of `suture fill`.\n"};
 
+/// The group of the help that CLI11 puts options into unasked.
+constexpr const char* kNoGroup = "Options";
+
 struct FillOptions {
     std::filesystem::path output;
     std::string holes, edges;
     std::vector<std::string> boundaries;
     std::string replace_faces, remove_faces;
+    std::vector<std::string> splits;
     std::string method = "auto";
     std::vector<std::string> own;
     std::string continuity = "auto";
@@ -64,7 +68,7 @@ struct FillOptions {
     std::string prefer = "tight";
     std::filesystem::path through;
     std::string through_edges;
-    std::optional<double> tolerance, angle, curvature, occt_timeout;
+    std::optional<double> tolerance, angle, curvature, occt_timeout, tension;
     MeshSettings mesh;
     std::optional<int> jobs;
     bool all_loops = false;
@@ -127,6 +131,17 @@ Result<void> take_borders(const FillOptions& options, FillSettings& settings) {
         }
         settings.load.content = io::Content::Curves;
     }
+    for (const std::string& split : options.splits) {
+        if (split == "auto") {
+            settings.request.split_sharp = true;
+        } else if (auto result = take(parse_vertices(split), settings.splits.emplace_back());
+                   !result) {
+            return result;
+        }
+    }
+    if (settings.grow && !options.splits.empty()) {
+        return fail(ErrorCode::Usage, "--split is for fills, and --grow makes none");
+    }
     for (const auto& [text, faces] : {std::pair(&options.replace_faces, &settings.replace_faces),
                                       std::pair(&options.remove_faces, &settings.remove_faces)}) {
         if (!text->empty()) {
@@ -163,6 +178,23 @@ Result<void> take_wishes(const FillOptions& options, FillRequest& request) {
     request.all_loops = options.all_loops;
     request.keep_bad = options.keep_bad;
     return take(parse_continuity(options.continuity), request.continuity);
+}
+
+/// How far bridges and the curves of --connect reach; a loft has it as its own option.
+Result<void> take_tension(const FillOptions& options, FillRequest& request) {
+    if (!options.tension) {
+        return {};
+    }
+    if (!request.connect) {
+        return fail(ErrorCode::Usage, "--tension is for `suture bridge` and for --connect");
+    }
+    if (request.method == "auto" && request.bridge) {
+        request.method = "loft";
+    }
+    if (request.method == "loft") {
+        request.options["tension"] = {OptionKind::Number, {*options.tension}, {}};
+    }
+    return take_positive("--tension", options.tension, 1.0, request.tension);
 }
 
 /// The method's own options.
@@ -225,7 +257,8 @@ Result<void> validate_fill(Command& command, FillOptions& options) {
     for (const auto& result :
          {take_borders(options, settings), take_wishes(options, settings.request),
           take_limits(options, settings.request), take_own(options, settings.request),
-          validate_sewing(settings.load), validate_mesh(options.mesh),
+          take_tension(options, settings.request), validate_sewing(settings.load),
+          validate_mesh(options.mesh),
           expect_writable("-o", options.output, command.input, force_of(options.force))}) {
         if (!result) {
             return result;
@@ -244,13 +277,42 @@ Result<void> take_bridge(FillOptions& options) {
     return {};
 }
 
-void add_choice(CLI::App& app, FillOptions& options) {
+/// All options that are in no group of the help yet become one, but for those of every command.
+void name_group(CLI::App& app, const std::string& name) {
+    for (CLI::Option* option : app.get_options([](const CLI::Option* option) {
+             return option->get_group() == kNoGroup && !option->get_positional();
+         })) {
+        option->group(name);
+    }
+}
+
+void add_holes(CLI::App& app, FillOptions& options) {
     add_list(app, "--hole,--holes", options.holes,
              "Only these holes, as `suture inspect` numbers them; 3+4 is one face with an island")
         ->option_text("ID...");
     add_list(app, "--edges,--edge", options.edges,
              "Only the holes that have these edges (FreeCAD's EdgeN)")
         ->option_text("E...");
+    HoleFilter& filter = options.settings.filter;
+    app.add_flag("--planar", filter.planar, "Only holes whose border lies in a plane");
+    app.add_option("--larger", filter.larger, "Only holes of a larger diameter")->option_text("MM");
+    app.add_option("--smaller", filter.smaller, "Only holes of a smaller diameter")
+        ->option_text("MM");
+    app.add_option("--sides", filter.sides, "Only holes with so many sides")->option_text("N");
+    app.add_flag("--all-loops", options.all_loops,
+                 "Fill rims of open sheets and doubtful loops too");
+    app.add_option("--split", options.splits,
+                   "Cut a hole in two along a line between two of its corners (FreeCAD's VertexN), "
+                   "or between sharp turns where flat faces fit better; may be given several times")
+        ->allow_extra_args(false)
+        ->option_text("V,V|auto");
+    app.add_flag("--grow", options.settings.grow,
+                 "Let the neighbours of the holes grow together where they can, instead of a fill: "
+                 "an edge where a fillet was");
+    name_group(app, "Which holes");
+}
+
+void add_borders(CLI::App& app, FillOptions& options) {
     app.add_option("--boundary", options.boundaries,
                    "A new face over these edges (FreeCAD's EdgeN), in any order: rims of one or "
                    "more sheets, loose curves; once for each face")
@@ -264,17 +326,12 @@ void add_choice(CLI::App& app, FillOptions& options) {
     add_list(app, "--remove-faces", options.remove_faces,
              "These faces go, and their neighbours grow together: a fillet becomes an edge again")
         ->option_text("F...");
-    app.add_flag("--grow", options.settings.grow,
-                 "Let the neighbours of the holes grow together where they can, instead of a fill: "
-                 "an edge where a fillet was");
-    HoleFilter& filter = options.settings.filter;
-    app.add_flag("--planar", filter.planar, "Only holes whose border lies in a plane");
-    app.add_option("--larger", filter.larger, "Only holes of a larger diameter")->option_text("MM");
-    app.add_option("--smaller", filter.smaller, "Only holes of a smaller diameter")
-        ->option_text("MM");
-    app.add_option("--sides", filter.sides, "Only holes with so many sides")->option_text("N");
-    app.add_flag("--all-loops", options.all_loops,
-                 "Fill rims of open sheets and doubtful loops too");
+    name_group(app, "Instead of holes: chosen edges, faces that go");
+}
+
+void add_choice(CLI::App& app, FillOptions& options) {
+    add_holes(app, options);
+    add_borders(app, options);
 }
 
 void add_wishes(CLI::App& app, FillOptions& options) {
@@ -301,22 +358,21 @@ void add_wishes(CLI::App& app, FillOptions& options) {
                    "How the new face joins its neighbours: G0 (position), G1 (tangent), G2 "
                    "(curvature) or auto")
         ->option_text("G0|G1|G2|auto");
+    add_list(app, "--edge-continuity", options.edge_continuity,
+             "The same for single edges: 12=G2,13=G0")
+        ->option_text("E=G2...");
     app.add_option("--through", options.through,
                    "Points that the new face has to pass: a text file with x, y, z on each line")
         ->option_text("POINTS.csv");
     add_list(app, "--through-edges", options.through_edges,
              "Edges of the model that the new face has to follow (FreeCAD's EdgeN)")
         ->option_text("E...");
-    add_list(app, "--edge-continuity", options.edge_continuity,
-             "The same for single edges: 12=G2,13=G0")
-        ->option_text("E=G2...");
-    app.add_option("--tolerance", options.tolerance, "Largest gap (default 0.001)")
-        ->option_text("MM");
-    app.add_option("--angle", options.angle, "Largest angle of tangent joins (default 0.01)")
-        ->option_text("DEG");
-    app.add_option("--curvature", options.curvature,
-                   "Largest curvature mismatch of G2 joins (default 2)")
-        ->option_text("PERCENT");
+    app.add_option("--tension", options.tension,
+                   "Bridges, and curves of --connect: how far they go on straight from both ends, "
+                   "1 (default) as the gap is wide")
+        ->option_text("FACTOR");
+    app.add_flag("--merge", options.settings.merge,
+                 "Make new faces one with neighbours that lie on the same surface");
     app.add_option("--occt-setting", options.occt_setting,
                    "Method occt: OCCT's default settings, or better ones")
         ->check(CLI::IsMember({"default", "tuned"}))
@@ -324,9 +380,17 @@ void add_wishes(CLI::App& app, FillOptions& options) {
     app.add_option("--occt-timeout", options.occt_timeout,
                    "Method occt: give up a hole after so many seconds (default 120)")
         ->option_text("SECONDS");
+    name_group(app, "How it is filled");
+    app.add_option("--tolerance", options.tolerance, "Largest gap (default 0.001)")
+        ->option_text("MM");
+    app.add_option("--angle", options.angle, "Largest angle of tangent joins (default 0.01)")
+        ->option_text("DEG");
+    app.add_option("--curvature", options.curvature,
+                   "Largest curvature mismatch of G2 joins (default 2)")
+        ->option_text("PERCENT");
     app.add_flag("--keep-bad", options.keep_bad,
                  "Put fills into the model that are bad: folded, clashing, far off, sharp");
-    app.add_option("--jobs,-j", options.jobs, "Threads (default: all cores)")->option_text("N");
+    name_group(app, "What counts as good");
 }
 
 /// What `fill` and `bridge` have in common: all but the choice of what is filled.
@@ -342,13 +406,17 @@ std::shared_ptr<Command> add_filling(CLI::App& app, const std::string& name,
                    "The file to write: .step .iges .brep, or a mesh .stl .off .obj .3mf")
         ->required()
         ->option_text("OUT");
+    sub.add_flag("--force", options->force, "Allow OUT to be IN itself");
+    sub.add_option("--jobs,-j", options->jobs, "Threads (default: all cores)")->option_text("N");
+    name_group(sub, "General");
     choice(sub, *options);
     add_wishes(sub, *options);
     add_sewing(*command, options->settings.load);
     add_mesh(sub, options->mesh);
+    name_group(sub, "Sewing, and meshes as output");
     add_reports(*command);
     add_picture(*command);
-    sub.add_flag("--force", options->force, "Allow OUT to be IN itself");
+    name_group(sub, "Reports and pictures");
     Command* self = command.get();
     command->validate = [options, self, prepare] {
         return prepare(*options).and_then([&] { return validate_fill(*self, *options); });
@@ -384,6 +452,7 @@ std::shared_ptr<Command> add_fill(CLI::App& app) {
     auto command =
         add_filling(app, "fill", kHelp, add_choice, [](FillOptions&) { return Result<void>(); });
     add_batch_options(*command->app, true);
+    name_group(*command->app, "Many files");
     return command;
 }
 
@@ -393,6 +462,7 @@ std::shared_ptr<Command> add_bridge(CLI::App& app) {
                  "The edges of both sides (FreeCAD's EdgeN), in any order")
             ->required()
             ->option_text("E...");
+        name_group(sub, "What is bridged");
     };
     return add_filling(app, "bridge", kBridgeHelp, choice, take_bridge);
 }

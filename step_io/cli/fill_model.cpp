@@ -1,9 +1,11 @@
 #include "cli/fill_model.h"
 
 #include "cli/choose_holes.h"
+#include "cli/merge.h"
 #include "cli/prepare.h"
 #include "cli/remeasure.h"
 #include "cli/reread.h"
+#include "cli/what_broke.h"
 #include "files/stated_accuracy.h"
 #include "suture/flow/compute.h"
 #include "suture/flow/plan.h"
@@ -17,6 +19,8 @@
 
 #include <BRepAdaptor_Curve.hxx>
 #include <BRep_Tool.hxx>
+#include <TopExp.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
 
 #include <algorithm>
@@ -96,7 +100,8 @@ class FillJob {
     }
 
     Result<FillSummary> run() && {
-        for (const auto step : {&FillJob::find, &FillJob::fill, &FillJob::deliver}) {
+        for (const auto step :
+             {&FillJob::find, &FillJob::fill, &FillJob::deliver, &FillJob::merge}) {
             const Result<void> done = (this->*step)();
             if (!done) {
                 validity_.wait();
@@ -134,6 +139,9 @@ class FillJob {
         if (requests) {
             requests_ = std::move(*requests);
             place_options();
+            if (auto placed = place_splits(); !placed) {
+                return placed;
+            }
             return pass_through();
         }
         // A model that only needed sewing is done; it is written below.
@@ -165,6 +173,33 @@ class FillJob {
                 value.numbers = {moved.X(), moved.Y(), moved.Z()};
             }
         }
+    }
+
+    /// Vertices are numbered in the model; a pair is asked of the part that has both.
+    Result<void> place_splits() {
+        TopTools_IndexedMapOfShape vertices;
+        TopExp::MapShapes(model_.whole, TopAbs_VERTEX, vertices);
+        for (const auto& [one, other] : settings_.splits) {
+            if (std::max(one, other) > vertices.Extent()) {
+                return fail(ErrorCode::Usage, "there is no vertex {}: the model has {} vertices",
+                            std::max(one, other), vertices.Extent());
+            }
+            for (PartRequest& wanted : requests_) {
+                const TopLoc_Location& placement = parts_[wanted.part].placement;
+                const auto in_part = [&](int number) {
+                    return occ::from_occ(BRep_Tool::Pnt(TopoDS::Vertex(vertices(number)))
+                                             .Transformed(placement.Inverted().Transformation()));
+                };
+                wanted.request.splits.emplace_back(in_part(one), in_part(other));
+            }
+        }
+        if (!settings_.splits.empty() && requests_.size() > 1) {
+            return fail(ErrorCode::Usage,
+                        "--split with vertices is for holes of one part, and {} parts have holes: "
+                        "choose them with --hole",
+                        requests_.size());
+        }
+        return {};
     }
 
     /// Points are given in the model; the one part with the hole has coordinates of its own.
@@ -350,6 +385,49 @@ class FillJob {
             });
         summary_.seconds.write += watch.seconds() - (summary_.seconds.check - checked_before);
         return written ? Result<void>() : tl::unexpected(written.error());
+    }
+
+    /// The figures of the holes are those of the faces as they were made, which no longer have
+    /// their own edges then; the file that holds the merged ones is read again as a whole.
+    Result<void> merge() {
+        if (!settings_.merge) {
+            return {};
+        }
+        const Progress progress = run_.stage(Stage::Writing, "merging faces", kReread, 1.0);
+        const TopoDS_Shape before = model_.file.shape();
+        auto merged = merge_new_faces(model_, filled_, progress);
+        if (!merged) {
+            return tl::unexpected(merged.error());
+        }
+        summary_.changes.insert(summary_.changes.end(), merged->said.begin(), merged->said.end());
+        if (!merged->merged) {
+            return {};
+        }
+        const auto verify = [&](const std::filesystem::path& file,
+                                const std::vector<io::StepId>&) -> Result<void> {
+            if (io::is_mesh(settings_.format)) {
+                return {};
+            }
+            const auto again = io::read_again(file, settings_.output, progress);
+            if (!again) {
+                return tl::unexpected(again.error());
+            }
+            if (const std::string broken = what_broke(before, again->shape()); !broken.empty()) {
+                return fail(ErrorCode::Internal,
+                            "the merged faces do not survive the file, which has them as they "
+                            "were: {}",
+                            broken);
+            }
+            summary_.validity = measure_validity(again->shape(), ValidityDepth::Valid);
+            return {};
+        };
+        const auto written = io::write_model(model_.file, settings_.output, settings_.format,
+                                             settings_.mesh, {}, verify);
+        if (!written) {
+            return tl::unexpected(written.error());
+        }
+        number_new_faces(model_.file.shape(), filled_);
+        return {};
     }
 
     /// Input  file, entities: as io::Verify has them.

@@ -10,6 +10,7 @@
 
 #include <filesystem>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace suture::cli {
@@ -29,6 +30,10 @@ struct FillSettings {
     std::vector<int> replace_faces, remove_faces;
     /// The neighbours of the chosen holes grow together, where they can, instead of a fill.
     bool grow = false;
+    /// VertexN of the model: a hole that has both is cut in two between them.
+    std::vector<std::pair<int, int>> splits;
+    /// The new faces become one with neighbours that lie on the same surface.
+    bool merge = false;
     io::MeshOptions mesh;
 };
 

@@ -1,8 +1,7 @@
 #include "cli/prepare.h"
 
 #include "cli/choose_holes.h"
-#include "cli/table.h"
-#include "suture/check/validity.h"
+#include "cli/what_broke.h"
 #include "suture/edges/cut.h"
 #include "suture/edges/grow.h"
 #include "suture/occ/guard.h"
@@ -112,20 +111,6 @@ Result<void> cut_out(LoadedModel& model, const ChosenFaces& chosen, FillRequest&
     return {};
 }
 
-/// Why a shape whose faces have grown is worse than it was; empty if it is not.
-std::string what_growing_broke(const TopoDS_Shape& before, const TopoDS_Shape& after) {
-    const Validity was = measure_validity(before, ValidityDepth::Valid);
-    const Validity is = measure_validity(after, ValidityDepth::Valid);
-    if (is.problems.size() > was.problems.size()) {
-        return "the result is not valid: " + is.problems.front();
-    }
-    if (is.free_edges > was.free_edges) {
-        return fmt::format("the result is open along {}",
-                           counted(is.free_edges - was.free_edges, "edge"));
-    }
-    return is.solids < was.solids ? "nothing solid is left" : std::string();
-}
-
 constexpr std::chrono::milliseconds kGrowLimit{120'000};
 
 /// Lets the neighbours grow together, or else leaves a hole to be filled.
@@ -136,7 +121,7 @@ Result<void> grow(LoadedModel& model, const ChosenFaces& chosen, const Progress&
         return tl::unexpected(grown.error());
     }
     const std::string broken =
-        grown ? what_growing_broke(chosen.part.shape, grown->shape) : grown.error().message;
+        grown ? what_broke(chosen.part.shape, grown->shape) : grown.error().message;
     if (broken.empty()) {
         model.file.replace(chosen.part, grown->shape, grown->replaced);
         model.changes.push_back(named(chosen.numbers) + " removed, the neighbours grown together");
@@ -164,8 +149,7 @@ Result<GrownShape> grow_into_holes(const PartLoops& part, FillRequest request,
     }
     auto grown = grow_over(filled->shape, filled->new_faces, kGrowLimit, progress);
     if (grown) {
-        if (const std::string broken = what_growing_broke(filled->shape, grown->shape);
-            !broken.empty()) {
+        if (const std::string broken = what_broke(filled->shape, grown->shape); !broken.empty()) {
             return fail(ErrorCode::Refused, "{}", broken);
         }
     }

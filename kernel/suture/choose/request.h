@@ -13,6 +13,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace suture {
@@ -24,10 +25,15 @@ struct FillRequest {
     /// EdgeN: each entry bounds one new face, with or without neighbours; instead of holes and
     /// edges
     std::vector<std::vector<int>> boundaries;
-    int first_new_id = 1;    ///< ids of those that are no loop of the shape
-    bool bridge = false;     ///< each boundary has to be two chains or two closed rims
-    bool connect = false;    ///< bridge gaps in them by curves
-    double reach = 0.0;      ///< gaps in them up to this close by themselves
+    int first_new_id = 1;  ///< ids of what is filled and is no loop of the shape
+    bool bridge = false;   ///< each boundary has to be two chains or two closed rims
+    bool connect = false;  ///< bridge gaps in them by curves
+    double tension = 1.0;  ///< how far these go on straight from both ends, 1: as the gap is wide
+    double reach = 0.0;    ///< gaps in them up to this close by themselves
+    /// Holes are cut in two, one face for each part: along a line between two corners, which lie
+    /// at these points; or, split_sharp, between sharp turns where that helps.
+    std::vector<std::pair<Eigen::Vector3d, Eigen::Vector3d>> splits;
+    bool split_sharp = false;
     bool all_loops = false;  ///< rims and ambiguous loops too
     std::string method = "auto";
     OptionValues options;                       ///< the method's own

@@ -73,7 +73,7 @@ CopiedHole copy_of(const Site& site) {
     return result;
 }
 
-Result<Trial> measure(const CopiedHole& copied, const Hole& hole,
+Result<Trial> measure(const CopiedHole& copied, const std::vector<Eigen::Vector3d>& through,
                       const std::vector<TopoDS_Face>& faces, const Tolerance& tolerance,
                       const Progress& progress) {
     const BRep_Builder builder;
@@ -83,7 +83,7 @@ Result<Trial> measure(const CopiedHole& copied, const Hole& hole,
         builder.Add(trial.model, face);
     }
     const occ::Numbering numbering(trial.model);
-    trial.place.through = hole.through;
+    trial.place.through = through;
     for (const BoundaryLoop& loop : copied.loops) {
         for (const BoundaryEdge& edge : loop.edges) {
             trial.place.sides.push_back(numbering.of(edge.edge));
@@ -119,7 +119,8 @@ Result<Trial> try_fill(const Site& site, const Hole& hole, const FillResult& fil
                             fmt::join(problems, ", "));
             }
         }
-        return measure(copied, hole, made->faces, tolerance, progress);
+        const auto asked = hole.through.end() - static_cast<std::ptrdiff_t>(site.guides);
+        return measure(copied, {hole.through.begin(), asked}, made->faces, tolerance, progress);
     });
 }
 

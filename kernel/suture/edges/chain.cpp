@@ -3,15 +3,14 @@
 #include "suture/base/contract.h"
 #include "suture/detect/use_geometry.h"
 #include "suture/edges/connect.h"
+#include "suture/edges/walk.h"
 #include "suture/occ/convert.h"
 #include "suture/occ/guard.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <BRepAdaptor_Curve.hxx>
 #include <BRep_Tool.hxx>
-#include <GCPnts_AbscissaPoint.hxx>
 #include <TopExp.hxx>
 #include <TopTools_IndexedDataMapOfShapeListOfShape.hxx>
 #include <TopoDS.hxx>
@@ -27,9 +26,6 @@ namespace suture {
 namespace {
 
 using Eigen::Vector3d;
-
-/// Points per edge for the size of a loop.
-constexpr int kPoints = 64;
 
 /// A sheet's own border is followed across a gap where it leads out of the sheet by at least this:
 /// 30 degrees off the rim that was chosen.
@@ -47,42 +43,6 @@ struct ChainEnd {
 struct RimPlace {
     std::size_t loop = 0, index = 0;
 };
-
-BoundaryEdge turned(BoundaryEdge side) {
-    side.edge = TopoDS::Edge(side.edge.Reversed());
-    if (!side.face.IsNull()) {
-        side.face = TopoDS::Face(side.face.Reversed());
-    }
-    return side;
-}
-
-/// Point and direction where the edge, as it is oriented, is walked to the part s of its range.
-std::pair<Vector3d, Vector3d> walk_to(const TopoDS_Edge& edge, double s) {
-    const BRepAdaptor_Curve curve(edge);
-    const bool backwards = edge.Orientation() == TopAbs_REVERSED;
-    const double t = curve.FirstParameter() +
-                     (backwards ? 1.0 - s : s) * (curve.LastParameter() - curve.FirstParameter());
-    gp_Pnt point;
-    gp_Vec along;
-    curve.D1(t, point, along);
-    return {occ::from_occ(point), (backwards ? -1.0 : 1.0) * occ::from_occ(along)};
-}
-
-/// Twice the area that a loop encloses, along the side from which it runs counterclockwise.
-Vector3d area_of(const BoundaryLoop& loop) {
-    const Vector3d origin = walk_to(loop.edges.front().edge, 0.0).first;
-    Vector3d area = Vector3d::Zero();
-    for (const BoundaryEdge& side : loop.edges) {
-        Vector3d before = walk_to(side.edge, 0.0).first - origin;
-        for (int k = 1; k <= kPoints; ++k) {
-            const Vector3d here =
-                walk_to(side.edge, static_cast<double>(k) / kPoints).first - origin;
-            area += before.cross(here);
-            before = here;
-        }
-    }
-    return area;
-}
 
 bool has_face(const BoundaryLoop& loop) {
     return std::ranges::any_of(loop.edges,
@@ -371,7 +331,8 @@ class Chain {
                         sides_[vertex(a).IsNull() ? a.side : b.side].edge_number);
         }
         BoundaryEdge curve;
-        curve.edge = connect_ends({vertex(a), leaving(a)}, {vertex(b), leaving(b)});
+        curve.edge =
+            connect_ends({vertex(a), leaving(a)}, {vertex(b), leaving(b)}, chosen_.tension);
         sides_.push_back(curve);
         mate(a, {sides_.size() - 1, false});
         mate(b, {sides_.size() - 1, true});
@@ -467,7 +428,7 @@ class Chain {
             loop = rims_[rim->second.loop];
             loop.edges = std::move(edges);
         } else {
-            measure(loop);
+            measure_size(loop);
         }
         loop.kind = LoopKind::Hole;
         loop.reason = "its edges were chosen";
@@ -481,17 +442,6 @@ class Chain {
                    const auto place = places_.find(side.edge_number);
                    return place != places_.end() && place->second.loop == rim;
                });
-    }
-
-    static void measure(BoundaryLoop& loop) {
-        Eigen::AlignedBox3d box;
-        for (const BoundaryEdge& side : loop.edges) {
-            loop.length += GCPnts_AbscissaPoint::Length(BRepAdaptor_Curve(side.edge));
-            for (int k = 0; k <= kPoints; ++k) {
-                box.extend(walk_to(side.edge, static_cast<double>(k) / kPoints).first);
-            }
-        }
-        loop.diameter = box.diagonal().norm();
     }
 
     /// Loops without any face are walked as the others want it: islands against the outer one.

@@ -9,10 +9,10 @@
 
 namespace suture {
 
-TopoDS_Edge connect_ends(const CurveEnd& from, const CurveEnd& to) {
+TopoDS_Edge connect_ends(const CurveEnd& from, const CurveEnd& to, double tension) {
     const Eigen::Vector3d a = occ::from_occ(BRep_Tool::Pnt(from.vertex));
     const Eigen::Vector3d b = occ::from_occ(BRep_Tool::Pnt(to.vertex));
-    const double third = (b - a).norm() / 3.0;
+    const double third = tension * (b - a).norm() / 3.0;
     TColgp_Array1OfPnt poles(1, 4);
     poles(1) = occ::to_point(a);
     poles(2) = occ::to_point(Eigen::Vector3d(a + third * from.leaving));

@@ -14,9 +14,9 @@ struct CurveEnd {
 };
 
 /// The curve between two ends that leaves both of them smoothly: a cubic whose end tangents are as
-/// long as the gap is wide. A straight line where both directions lie on it.
+/// long as the gap is wide, times `tension`. A straight line where both directions lie on it.
 ///
 /// Result   an edge on these vertices, from the first to the second.
-[[nodiscard]] TopoDS_Edge connect_ends(const CurveEnd& from, const CurveEnd& to);
+[[nodiscard]] TopoDS_Edge connect_ends(const CurveEnd& from, const CurveEnd& to, double tension);
 
 }  // namespace suture

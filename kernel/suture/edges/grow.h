@@ -12,10 +12,10 @@
 
 namespace suture {
 
-/// A shape without some of its faces, whose neighbours have been extended until they meet.
+/// A shape some of whose faces have gone into others.
 struct GrownShape {
     TopoDS_Shape shape;
-    TopTools_DataMapOfShapeShape replaced;  ///< what the faces that stayed are now
+    TopTools_DataMapOfShapeShape replaced;  ///< what the faces that were there are now
 };
 
 /// Removes faces by letting their neighbours grow together (OCCT's BRepAlgoAPI_Defeaturing, in a
@@ -27,5 +27,16 @@ struct GrownShape {
                                            const std::vector<TopoDS_Face>& faces,
                                            std::chrono::milliseconds limit,
                                            const Progress& progress);
+
+/// Makes faces one with neighbours that lie on the same surface (OCCT's
+/// ShapeUpgrade_UnifySameDomain, in a process of its own); edges and vertices that no face of these
+/// has stay as they are.
+///
+/// Result   the shape itself where no neighbour lies on one surface with them.
+/// Refuses  where OCCT fails.
+[[nodiscard]] Result<GrownShape> merge_with_neighbours(const TopoDS_Shape& shape,
+                                                       const std::vector<TopoDS_Face>& faces,
+                                                       std::chrono::milliseconds limit,
+                                                       const Progress& progress);
 
 }  // namespace suture

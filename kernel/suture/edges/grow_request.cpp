@@ -9,6 +9,7 @@ namespace suture {
 // Both processes are of one build: numbers are as they lie in memory.
 std::string packed(const GrowMessage& message) {
     std::ostringstream out;
+    out.write(reinterpret_cast<const char*>(&message.task), sizeof message.task);
     const std::size_t count = message.faces.size();
     out.write(reinterpret_cast<const char*>(&count), sizeof count);
     for (const auto& [one, other] : message.faces) {
@@ -22,6 +23,7 @@ std::string packed(const GrowMessage& message) {
 GrowMessage unpacked_grow_message(const std::string& bytes) {
     std::istringstream in(bytes);
     GrowMessage message;
+    in.read(reinterpret_cast<char*>(&message.task), sizeof message.task);
     std::size_t count = 0;
     in.read(reinterpret_cast<char*>(&count), sizeof count);
     message.faces.resize(count);

@@ -5,7 +5,9 @@
 #include "suture/choose/select.h"
 #include "suture/detect/find_loops.h"
 #include "suture/edges/chain.h"
+#include "suture/edges/split.h"
 #include "suture/ribbon/extract.h"
+#include "suture/ribbon/facets.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -63,16 +65,34 @@ CandidateFinder candidates_for(const TopoDS_Shape& shape, const occ::Numbering& 
     };
 }
 
+/// Position only, for no face is tangent to facets; but through points of what they mean.
+void ask_to_follow_facets(const TopoDS_Shape& shape, HolePlan& plan) {
+    const auto points = points_between_facets(shape, plan.loops, *plan.hole);
+    if (points.empty()) {
+        return;
+    }
+    plan.guides = points.size();
+    plan.hole->through.insert(plan.hole->through.end(), points.begin(), points.end());
+    plan.wishes.assign(plan.wishes.size(),
+                       Wish{Continuity::G0,
+                            "auto: position only, the neighbours are facets; the face follows the "
+                            "curved shape that they mean"});
+    ask(*plan.hole, plan.wishes);
+}
+
 HolePlan plan_of(const TopoDS_Shape& shape, const occ::Numbering& numbering,
                  const std::vector<BoundaryLoop>& loops, const FillRequest& request) {
     if (is_left_open(loops, request)) {
-        return {loops, fail(ErrorCode::Refused, "left open"), {}, {}};
+        return {loops, fail(ErrorCode::Refused, "left open"), {}, {}, 0};
     }
-    HolePlan plan{loops, extract_hole(loops), {}, {}};
+    HolePlan plan{loops, extract_hole(loops), {}, {}, 0};
     if (plan.hole) {
         plan.hole->through = request.through;
         plan.wishes = wishes_for(*plan.hole, request);
         ask(*plan.hole, plan.wishes);
+        if (std::ranges::all_of(plan.wishes, &Wish::own) && are_facets(*plan.hole, loops)) {
+            ask_to_follow_facets(shape, plan);
+        }
         if (request.recognise) {
             plan.candidates =
                 candidates_for(shape, numbering, loops, *plan.hole, *request.recognise);
@@ -90,8 +110,9 @@ Result<Selection> select_boundaries(const TopoDS_Shape& shape, const occ::Number
     std::set<int> taken;
     int id = std::max(static_cast<int>(loops.size()), request.first_new_id - 1);
     for (const std::vector<int>& edges : request.boundaries) {
-        auto chained = chain_edges(shape, numbering, loops,
-                                   {edges, request.reach, request.connect, request.bridge});
+        auto chained =
+            chain_edges(shape, numbering, loops,
+                        {edges, request.reach, request.connect, request.bridge, request.tension});
         if (!chained) {
             return tl::unexpected(chained.error());
         }
@@ -114,6 +135,64 @@ Result<Selection> select_boundaries(const TopoDS_Shape& shape, const occ::Number
     return selection;
 }
 
+/// Where a hole is to be cut in two.
+///
+/// Input    used: which of request.splits have met their hole; one more may be marked.
+std::optional<CornerPair> split_of(const std::vector<BoundaryLoop>& hole,
+                                   const FillRequest& request, std::vector<bool>& used) {
+    if (hole.size() != 1) {
+        return std::nullopt;  // with an island there are no two sides of the line
+    }
+    for (std::size_t i = 0; i < request.splits.size(); ++i) {
+        const auto& [one, other] = request.splits[i];
+        const double reach = std::max(request.reach, request.tolerance.linear);
+        if (auto corners = corners_at(hole.front(), one, other, reach); corners && !used[i]) {
+            used[i] = true;
+            return corners;
+        }
+    }
+    return request.split_sharp ? find_split(hole.front()) : std::nullopt;
+}
+
+/// Cuts the holes that are to get two faces. A part may be cut again.
+Result<void> split_holes(const FillRequest& request, int first_free_id, Selection& selection) {
+    std::vector<bool> used(request.splits.size(), false);
+    int id = first_free_id;
+    for (std::size_t i = 0; i < selection.holes.size();) {
+        const auto corners = split_of(selection.holes[i], request, used);
+        if (!corners) {
+            ++i;
+            continue;
+        }
+        auto parts = split_loop(selection.holes[i].front(), *corners);
+        if (!parts) {
+            return tl::unexpected(parts.error());
+        }
+        parts->second.id = id++;
+        selection.holes[i] = {std::move(parts->first)};
+        const auto place = selection.holes.begin() + static_cast<std::ptrdiff_t>(i) + 1;
+        selection.holes.insert(place, std::vector<BoundaryLoop>{std::move(parts->second)});
+    }
+    if (const auto lost = std::ranges::find(used, false); lost != used.end()) {
+        return fail(ErrorCode::Usage,
+                    "--split: none of the chosen holes has a corner at both vertices of pair {}",
+                    lost - used.begin() + 1);
+    }
+    return {};
+}
+
+/// An id that no loop of the shape and no boundary has.
+int first_free_id(const std::vector<BoundaryLoop>& loops, const Selection& selection,
+                  const FillRequest& request) {
+    int last = std::max(static_cast<int>(loops.size()), request.first_new_id - 1);
+    for (const std::vector<BoundaryLoop>& hole : selection.holes) {
+        for (const BoundaryLoop& loop : hole) {
+            last = std::max(last, loop.id);
+        }
+    }
+    return last + 1;
+}
+
 }  // namespace
 
 Result<FillPlan> plan_fills(const TopoDS_Shape& shape, const occ::Numbering& numbering,
@@ -125,11 +204,15 @@ Result<FillPlan> plan_fills(const TopoDS_Shape& shape, const occ::Numbering& num
     if (!loops) {
         return tl::unexpected(loops.error());
     }
-    const auto selection = request.boundaries.empty()
-                               ? select_holes(*loops, request)
-                               : select_boundaries(shape, numbering, *loops, request);
+    auto selection = request.boundaries.empty()
+                         ? select_holes(*loops, request)
+                         : select_boundaries(shape, numbering, *loops, request);
     if (!selection) {
         return tl::unexpected(selection.error());
+    }
+    if (auto split = split_holes(request, first_free_id(*loops, *selection, request), *selection);
+        !split) {
+        return tl::unexpected(split.error());
     }
     if (!request.through.empty() && selection->holes.size() != 1) {
         return fail(ErrorCode::Usage,
