@@ -53,3 +53,6 @@ docs/figures/algebraic.py ./suture docs/figures/algebraic.png
 
 # The lost face of docs/methods/recognise.md.
 docs/figures/recognised.py ./suture docs/figures/recognised.png
+
+# Those of docs/borders.md.
+docs/figures/borders.sh
