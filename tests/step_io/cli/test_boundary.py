@@ -109,6 +109,18 @@ class Boundary(Case):
             self.assertEqual((out.faces, out.valid), (1, True))
             self.assertAlmostEqual(out.area, 1600.0, delta=1e-6)
 
+    def test_curves_go_on_as_far_as_the_tension_says(self):
+        """The side that is missing of a square bulges by 6/5 of the gap's square, times the tension."""
+        lines = wounds.polygon([(0, 0, 0), (9, 0, 0), (9, 4, 0), (0, 4, 0)])[:3]
+        file = self.saved([wounds.placed(e) for e in lines])
+        for tension in (0.5, 1.0, 2.0):
+            words = ("--boundary", "1,2,3", "--connect", "--tension", tension)
+            _, out = self.filled(file, *words)
+            self.assertAlmostEqual(out.area, 36 + tension * 16 / 5, delta=1e-6)
+        self.assertIn("--tension is for", self.refused(file, "--boundary", "1,2,3", "--tension", 2))
+        for wrong in (0, -1, "nan"):
+            self.refused(file, "--boundary", "1,2,3", "--connect", "--tension", wrong)
+
     def test_bodies_become_one(self):
         """Two cups, whose rims face each other, and the tube between them."""
         def cup(z, closed):

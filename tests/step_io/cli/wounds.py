@@ -51,9 +51,9 @@ def mixed(numbers, seed):
 
 def placed(shape, scale=1.0):
     """Turned, moved and scaled: nothing may hang on axes or on millimetres."""
-    matrix = FreeCAD.Matrix()
-    matrix.scale(scale, scale, scale)
-    moved = shape.transformGeometry(matrix) if scale != 1.0 else shape.copy()
+    moved = shape.copy()
+    if scale != 1.0:
+        moved.scale(scale)
     moved.Placement = FreeCAD.Placement(
         V(3, -7, 11) * scale, FreeCAD.Rotation(V(1, 2, 3), math.degrees(0.7))
     )
