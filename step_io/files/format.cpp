@@ -1,6 +1,8 @@
 #include "files/format.h"
 
 #include "files/file_bytes.h"
+#include "files/foreign.h"
+#include "files/packed.h"
 
 #include <algorithm>
 #include <array>
@@ -77,6 +79,8 @@ std::string_view to_string(Format format) {
             return "binary BREP";
         case Format::BrepFreecad:
             return "FreeCAD BREP";
+        case Format::FreecadDocument:
+            return "FreeCAD";
         case Format::Stl:
             return "STL";
         case Format::Off:
@@ -89,26 +93,41 @@ std::string_view to_string(Format format) {
     return "";
 }
 
-Result<Format> format_of_content(const std::filesystem::path& file) {
-    const Result<std::string> bytes = read_ends(file, kEnds);
-    if (!bytes) {
-        return tl::unexpected(bytes.error());
-    }
-    const std::string_view text = skip_blanks_and_comments(*bytes);
+bool is_mesh(Format format) {
+    return format == Format::Stl || format == Format::Off || format == Format::Obj ||
+           format == Format::ThreeMf;
+}
+
+Result<Format> format_of_bytes(std::string_view bytes, const std::filesystem::path& file) {
+    const std::string_view text = skip_blanks_and_comments(bytes);
     if (text.starts_with("ISO-10303-21")) {
         return Format::Step;
     }
     if (text.starts_with("Open CASCADE Topology V")) {
-        return has_freecad_ending(*bytes) ? Format::BrepFreecad : Format::BrepBinary;
+        return has_freecad_ending(bytes) ? Format::BrepFreecad : Format::BrepBinary;
     }
     if (text.starts_with("DBRep_DrawableShape") || text.starts_with("CASCADE Topology V")) {
         return Format::BrepText;
     }
-    if (is_iges(*bytes)) {
+    if (is_iges(bytes)) {
         return Format::Iges;
     }
-    return fail(ErrorCode::Unreadable, "{} is of no known type: neither STEP, IGES nor BREP",
-                file.string());
+    if (is_freecad_document(bytes)) {
+        return Format::FreecadDocument;
+    }
+    const std::string foreign = describe_foreign(file, bytes);
+    return fail(
+        ErrorCode::Unreadable, "{} {}", file.string(),
+        foreign.empty() ? "is of no known type: neither STEP, IGES, BREP nor FCStd" : foreign);
+}
+
+Result<Format> format_of_content(const std::filesystem::path& file) {
+    Result<std::string> bytes = read_ends(file, kEnds);
+    if (bytes && is_packed(*bytes)) {
+        bytes = read_bytes(file).and_then(
+            [&](std::string packed) { return unpack(std::move(packed), file); });
+    }
+    return bytes.and_then([&](const std::string& text) { return format_of_bytes(text, file); });
 }
 
 Result<Format> format_of_extension(const std::filesystem::path& file) {

@@ -1,5 +1,6 @@
 #include "files/mesh.h"
 
+#include "files/mesh_repair.h"
 #include "suture/occ/guard.h"
 #include "suture/occ/handle.h"
 #include "suture/occ/topology.h"
@@ -212,18 +213,56 @@ Result<Mesh> sew_mesh(const TopoDS_Shape& shape) {
 
 }  // namespace
 
+namespace {
+
+/// All faces with one deflection, so that those that share an edge share its points.
+Result<Mesh> mesh_once(const TopoDS_Shape& shape, double deflection, double angle) {
+    const TopoDS_Shape copy = BRepBuilderAPI_Copy(shape, false, false).Shape();
+    IMeshTools_Parameters parameters;
+    parameters.Deflection = deflection;
+    parameters.Angle = angle;
+    parameters.InParallel = true;
+    parameters.AllowQualityDecrease = true;
+    const BRepMesh_IncrementalMesh mesher(copy, parameters);
+    return sew_mesh(copy);
+}
+
+/// Flatter triangles are no triangles any more once a file has their points with single precision.
+double least_height(const Mesh& mesh) {
+    double largest = 0.0;
+    for (const auto& point : mesh.points) {
+        for (const double x : point) {
+            largest = std::max(largest, std::abs(x));
+        }
+    }
+    return 2.0 * static_cast<double>(std::numeric_limits<float>::epsilon()) * largest;
+}
+
+}  // namespace
+
 Result<Mesh> make_mesh(const TopoDS_Shape& shape, const MeshOptions& options) {
     return occ::guarded("meshing", [&]() -> Result<Mesh> {
-        const TopoDS_Shape copy = BRepBuilderAPI_Copy(shape, false, false).Shape();
-        IMeshTools_Parameters parameters;
-        parameters.Deflection = options.deflection > 0.0
-                                    ? options.deflection
-                                    : kRelativeDeflection * occ::diagonal(shape);
-        parameters.Angle = options.angular_deflection;
-        parameters.InParallel = true;
-        parameters.AllowQualityDecrease = true;
-        const BRepMesh_IncrementalMesh mesher(copy, parameters);
-        return sew_mesh(copy);
+        const double wanted = options.deflection > 0.0 ? options.deflection
+                                                       : kRelativeDeflection * occ::diagonal(shape);
+        // OCCT fails on a face with one deflection and not with another. Other points on its
+        // edges are other points on its neighbours' too, and so on: all of it is meshed again.
+        std::optional<Error> first_error;
+        for (const double factor : {1.0, 0.5, 2.0, 0.25, 4.0, 0.1}) {
+            Result<Mesh> mesh = mesh_once(shape, factor * wanted, options.angular_deflection);
+            if (mesh) {
+                mesh->deflection = factor * wanted;
+                mesh->needles = remove_needles(*mesh, least_height(*mesh));
+                mesh->open_edges = count_open_edges(*mesh);
+                return mesh;
+            }
+            if (!first_error) {
+                first_error = mesh.error();
+            }
+        }
+        return fail(ErrorCode::Internal,
+                    "{}, not even with deflections from {:.3g} to {:.3g} mm: give another one with "
+                    "--deflection, or see with `suture check` whether the face is valid",
+                    first_error->message, 0.1 * wanted, 4.0 * wanted);
     });
 }
 

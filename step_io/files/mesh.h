@@ -22,12 +22,16 @@ struct MeshOptions {
 struct Mesh {
     std::vector<std::array<double, 3>> points;
     std::vector<std::array<std::uint32_t, 3>> triangles;  ///< anticlockwise seen from outside
+    double deflection = 0.0;                              ///< with which it was made
+    int needles = 0;             ///< triangles without height that were taken out
+    std::size_t open_edges = 0;  ///< edges of triangles with no triangle beyond: 0 if it is closed
 };
 
 /// Meshes a copy of the shape, all faces in parallel; the shape itself is left without triangles.
-/// Solids that are inside out are turned.
+/// Solids that are inside out are turned, needles are taken out (remove_needles). Where OCCT cannot
+/// mesh a face, all is meshed once more, finer and coarser by up to ten times.
 ///
-/// Refuses  (Internal) a face that OCCT cannot mesh, by its number.
+/// Refuses  (Internal) a face that OCCT cannot mesh with any of these, by its number.
 [[nodiscard]] Result<Mesh> make_mesh(const TopoDS_Shape& shape, const MeshOptions& options);
 
 /// A mesh as a file. Lengths are millimetres.

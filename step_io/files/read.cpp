@@ -5,7 +5,9 @@
 #include "files/check_numbers.h"
 #include "files/document.h"
 #include "files/file_bytes.h"
+#include "files/freecad_document.h"
 #include "files/join_bodies.h"
+#include "files/packed.h"
 #include "files/read_iges.h"
 #include "files/read_step.h"
 #include "files/rigid.h"
@@ -35,14 +37,46 @@ Result<void> read_brep(ModelFile& model, const std::string& bytes) {
     return {};
 }
 
-Result<void> read_into(ModelFile& model, const std::string& bytes, const Progress& progress) {
+/// What a file holds.
+struct FileContents {
+    std::string text;
+    bool unpacked = false;
+};
+
+Result<FileContents> read_contents(const std::filesystem::path& file) {
+    Result<std::string> bytes = read_bytes(file);
+    if (!bytes) {
+        return tl::unexpected(bytes.error());
+    }
+    if (!is_packed(*bytes)) {
+        return FileContents{*std::move(bytes), false};
+    }
+    return unpack(*std::move(bytes), file).map([](std::string&& text) {
+        return FileContents{std::move(text), true};
+    });
+}
+
+/// OCCT's reader of IGES takes nothing but files.
+Result<void> read_iges_of(ModelFile& model, const FileContents& contents,
+                          const Progress& progress) {
+    if (!contents.unpacked) {
+        return read_iges(model, contents.text, model.path, progress);
+    }
+    const NamedBytes named(contents.text);
+    return read_iges(model, contents.text, named.path(), progress);
+}
+
+Result<void> read_into(ModelFile& model, const FileContents& contents, const Progress& progress) {
     switch (model.format) {
         case Format::Step:
-            return read_step(model, bytes, progress, {keep_face_names, follow_external_references});
+            return read_step(model, contents.text, progress,
+                             {keep_face_names, contents.unpacked, follow_external_references});
         case Format::Iges:
-            return read_iges(model, bytes, progress);
+            return read_iges_of(model, contents, progress);
+        case Format::FreecadDocument:
+            return read_freecad_document(model, contents.text);
         default:
-            return read_brep(model, bytes);
+            return read_brep(model, contents.text);
     }
 }
 
@@ -81,20 +115,20 @@ void close_external_references() {
 Result<ModelFile> read_model(const std::filesystem::path& file, const Progress& progress,
                              Content content) {
     progress(0.0, "read");
-    const Result<Format> format = format_of_content(file);
+    const Result<FileContents> contents = read_contents(file);
+    if (!contents) {
+        return tl::unexpected(contents.error());
+    }
+    const Result<Format> format = format_of_bytes(contents->text, file);
     if (!format) {
         return tl::unexpected(format.error());
-    }
-    const Result<std::string> bytes = read_bytes(file);
-    if (!bytes) {
-        return tl::unexpected(bytes.error());
     }
     ModelFile model;
     model.path = file;
     model.format = *format;
     const Result<void> done = occ::guarded("reading", [&]() -> Result<void> {
         model.document = make_document();
-        return read_into(model, *bytes, progress)
+        return read_into(model, *contents, progress)
             .and_then([&] { return check_numbers(model.shape(), file); })
             .map([&] {
                 join_bodies(model.document);

@@ -31,7 +31,8 @@ const IgesModule& iges_module() {
     return *module;
 }
 
-Result<void> read_iges(ModelFile& model, std::string_view text, const Progress& progress) {
+Result<void> read_iges(ModelFile& model, std::string_view text, const std::filesystem::path& place,
+                       const Progress& progress) {
     if (Result<void> whole = check_iges_text(text, model.path); !whole) {
         return whole;
     }
@@ -41,7 +42,7 @@ Result<void> read_iges(ModelFile& model, std::string_view text, const Progress& 
     const auto indicator = occ::make<ProgressIndicator>(progress, std::string("read"), 0.0, 1.0);
     IgesGlobals globals;
     const IgesOutcome outcome =
-        iges.read(model.path.c_str(), model.document, globals, indicator->Start());
+        iges.read(place.c_str(), model.document, globals, indicator->Start());
     if (outcome == IgesOutcome::FileFailed) {
         return fail(ErrorCode::Unreadable, "{} is damaged: OCCT cannot read it{}{}",
                     model.path.string(), scope.complaint().empty() ? "" : ": ", scope.complaint());

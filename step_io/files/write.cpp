@@ -11,8 +11,8 @@ namespace suture::io {
 
 namespace {
 
-Result<void> write_mesh(const Mesh& mesh, const std::string& name, Format format,
-                        std::ostream& stream) {
+Result<void> write_mesh_content(const Mesh& mesh, const std::string& name, Format format,
+                                std::ostream& stream) {
     switch (format) {
         case Format::Off:
             return write_off(mesh, stream);
@@ -38,17 +38,12 @@ Result<void> write_content(const ModelFile& model, const std::string& name, Form
             return write_brep_freecad(model.shape(), stream);
         default:
             return make_mesh(model.shape(), options).and_then([&](const Mesh& mesh) {
-                return write_mesh(mesh, name, format, stream);
+                return write_mesh_content(mesh, name, format, stream);
             });
     }
 }
 
 }  // namespace
-
-bool is_mesh(Format format) {
-    return format == Format::Stl || format == Format::Off || format == Format::Obj ||
-           format == Format::ThreeMf;
-}
 
 Result<ModelFile> read_again(const std::filesystem::path& written,
                              const std::filesystem::path& file, const Progress& progress) {
@@ -87,6 +82,14 @@ Result<std::vector<StepId>> write_model(const ModelFile& model, const std::files
     };
     const Result<void> done = write_atomically(file, content, look);
     return done.map([&] { return std::move(numbers); });
+}
+
+Result<void> write_mesh(const Mesh& mesh, const std::filesystem::path& file, Format format) {
+    return write_atomically(file, [&](std::ostream& stream) {
+        return occ::guarded("writing " + file.string(), [&] {
+            return write_mesh_content(mesh, file.stem().string(), format, stream);
+        });
+    });
 }
 
 }  // namespace suture::io

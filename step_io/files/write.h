@@ -15,9 +15,6 @@
 
 namespace suture::io {
 
-/// Whether a format holds triangles only; files of such are not read again.
-[[nodiscard]] bool is_mesh(Format format);
-
 /// Reads what is about to become `file`.
 ///
 /// Refuses  (Internal) what cannot be read again.
@@ -45,5 +42,9 @@ using Verify = std::function<Result<void>(const std::filesystem::path& written,
                                                       Format format, const MeshOptions& mesh,
                                                       std::span<const TopoDS_Face> traced = {},
                                                       const Verify& verify = {});
+
+/// Writes a mesh in the same way.
+[[nodiscard]] Result<void> write_mesh(const Mesh& mesh, const std::filesystem::path& file,
+                                      Format format);
 
 }  // namespace suture::io

@@ -35,7 +35,8 @@ TEST(BadFiles, AreRefusedWithOneSentenceEach) {
     save(folder / "empty.step", "");
     EXPECT_EQ(refusal(folder / "empty.step"), "is empty");
     save(folder / "text.step", "Dear reader,\nthis is no CAD file.\n");
-    EXPECT_EQ(refusal(folder / "text.step"), "is of no known type: neither STEP, IGES nor BREP");
+    EXPECT_EQ(refusal(folder / "text.step"),
+              "is of no known type: neither STEP, IGES, BREP nor FCStd");
     ::mkfifo((folder / "pipe.step").c_str(), 0600);
     EXPECT_EQ(refusal(folder / "pipe.step"), "is no ordinary file");
     save(folder / "bare.step", "ISO-10303-21;\nHEADER;\nENDSEC;\nEND-ISO-10303-21;\n");

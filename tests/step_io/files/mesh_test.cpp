@@ -1,5 +1,8 @@
 #include "files/mesh.h"
 
+#include "files/mesh_repair.h"
+#include "suture/occ/topology.h"
+
 #include "step_io/files/assembly.h"
 
 #include <BRepBndLib.hxx>
@@ -9,6 +12,7 @@
 #include <BRepPrimAPI_MakeCone.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
 #include <BRepPrimAPI_MakeTorus.hxx>
+#include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
 #include <GProp_GProps.hxx>
 #include <TopoDS.hxx>
@@ -191,6 +195,76 @@ TEST(Mesh, OfRealSolidsIsWatertight) {
         const TopoDS_Shape shape = read(cad(name)).shape();
         expect_good_mesh(shape, 0.05, name);
     }
+}
+
+namespace {
+
+double least_height(const Mesh& mesh) {
+    double least = std::numeric_limits<double>::max();
+    for (const auto& [a, b, c] : mesh.triangles) {
+        const auto edge = [&](std::uint32_t p, std::uint32_t q) {
+            return gp_Vec(mesh.points[q][0] - mesh.points[p][0],
+                          mesh.points[q][1] - mesh.points[p][1],
+                          mesh.points[q][2] - mesh.points[p][2]);
+        };
+        const double longest =
+            std::max({edge(a, b).Magnitude(), edge(b, c).Magnitude(), edge(c, a).Magnitude()});
+        least = std::min(least, edge(a, b).Crossed(edge(a, c)).Magnitude() / longest);
+    }
+    return least;
+}
+
+}  // namespace
+
+TEST(Mesh, ATinyEdgeIsDrawnTogether) {
+    // A tetrahedron whose top is two points.
+    Mesh mesh;
+    mesh.points = {{0, 0, 0}, {2, 0, 0}, {0, 2, 0}, {0, 0, 2}, {0, 0, 2 + 1e-12}};
+    mesh.triangles = {{0, 2, 1}, {0, 1, 3}, {1, 2, 4}, {2, 0, 4}, {1, 4, 3}, {0, 3, 4}};
+    const double before = volume(mesh);
+    ASSERT_EQ(open_edges(mesh), 0);
+    EXPECT_EQ(remove_needles(mesh, 1e-6), 2);
+    EXPECT_EQ(open_edges(mesh), 0);
+    EXPECT_EQ(mesh.triangles.size(), 4U);
+    EXPECT_EQ(mesh.points.size(), 4U);
+    EXPECT_NEAR(volume(mesh), before, 1e-9);
+}
+
+TEST(Mesh, ACornerOnTheOppositeEdgeIsTakenOutByTurningTheDiagonal) {
+    // A tetrahedron; a point stands on the middle of an edge for one of the two faces only, and a
+    // triangle without height closes the mesh.
+    Mesh mesh;
+    mesh.points = {{0, 0, 0}, {2, 0, 0}, {0, 2, 0}, {0, 0, 2}, {1, 0, 1e-13}};
+    mesh.triangles = {{0, 4, 3}, {4, 1, 3}, {0, 1, 4}, {0, 2, 1}, {1, 2, 3}, {0, 3, 2}};
+    const double before = volume(mesh);
+    ASSERT_EQ(open_edges(mesh), 0);
+    EXPECT_EQ(remove_needles(mesh, 1e-6), 1);
+    EXPECT_EQ(open_edges(mesh), 0);
+    EXPECT_EQ(mesh.triangles.size(), 6U);
+    EXPECT_GT(least_height(mesh), 0.1);
+    EXPECT_NEAR(volume(mesh), before, 1e-12);
+}
+
+TEST(Mesh, OfAnOpenShellSaysHowManyEdgesAreOpen) {
+    TopoDS_Shell shell;
+    BRep_Builder builder;
+    builder.MakeShell(shell);
+    TopExp_Explorer face(BRepPrimAPI_MakeBox(30, 20, 5).Shape(), TopAbs_FACE);
+    for (face.Next(); face.More(); face.Next()) {
+        builder.Add(shell, face.Current());
+    }
+    EXPECT_EQ(mesh_of(shell, 0.1).open_edges, 4U);
+    EXPECT_EQ(mesh_of(BRepPrimAPI_MakeBox(30, 20, 5).Shape(), 0.1).open_edges, 0U);
+}
+
+TEST(Mesh, IsMadeFinerOrCoarserWhereOcctFailsOnAFace) {
+    SUTURE_NEEDS_CAD_FILES();
+    const TopoDS_Shape shape = read(cad("lower_leg_structure_base.STEP")).shape();
+    const double wanted = 1e-3 * occ::diagonal(shape);  // face 98 fails with it
+    const Mesh mesh = mesh_of(shape, wanted);
+    EXPECT_NE(mesh.deflection, wanted);
+    EXPECT_EQ(open_edges(mesh), 0);
+    EXPECT_GT(volume(mesh), 0.0);
 }
 
 TEST(MeshFiles, OpenScadTakesThemAsTheSameBody) {
