@@ -27,6 +27,7 @@ struct Words {
     std::map<std::string, std::vector<std::string>> own;
     std::string for_one_file;
     bool help = false;
+    bool unknown = false;  ///< an option that there is not
 };
 
 bool takes_value(const CLI::Option* option) {
@@ -60,8 +61,10 @@ Words sorted(const CLI::App& command, const std::vector<std::string>& words) {
             whole.push_back(value);
         }
         const std::string name = option != nullptr ? name_of(*option) : flag;
+        const bool own = std::ranges::find(kOwn, name) != kOwn.end();
         result.help = result.help || name == "--help";
-        if (std::ranges::find(kOwn, name) != kOwn.end()) {
+        result.unknown = result.unknown || (option == nullptr && !own);
+        if (own) {
             result.own[name].push_back(value);
         } else {
             result.passed_on.insert(result.passed_on.end(), whole.begin(), whole.end());
@@ -254,8 +257,12 @@ Result<std::optional<Batch>> parse_batch(const CLI::App& command,
     const bool asked = given_own("--out-dir") || given_own("--summary") || given_own("--to") ||
                        given_own("--again") || given_own("--thumbnails") ||
                        (given_own("--jobs") && batch.command != "fill");
-    if (found.help || found.files.empty() || (!asked && found.files.size() <= most)) {
-        return std::nullopt;
+    std::error_code error;
+    const bool names_output = batch.command == "fill" && !asked && found.files.size() == 2 &&
+                              !fs::exists(found.files.back(), error);
+    if (found.help || found.unknown || names_output || found.files.empty() ||
+        (!asked && found.files.size() <= most)) {
+        return std::nullopt;  // one file, or what the parser of one has to say
     }
     batch.folder = last_of(found, "--out-dir");
     batch.json = given_own("--json");

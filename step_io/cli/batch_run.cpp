@@ -216,8 +216,8 @@ class BatchRun {
             }
         }
         const ResultStream out(false);
-        const std::string text =
-            batch_.json ? summary_text(batch_, outcome, results_, "x.json") : text_of(outcome);
+        const std::string text = batch_.json ? summary_text(batch_, outcome, results_, "x.json")
+                                             : text_of(outcome, /*verbose=*/true);
         if (const auto told = out.print(text); !told) {
             print_error(told.error().message);
             return kInternal;

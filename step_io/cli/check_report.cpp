@@ -3,6 +3,7 @@
 #include "cli/check_exports.h"
 #include "cli/report_html.h"
 #include "cli/report_json.h"
+#include "cli/scene_parts.h"
 
 #include "report/profile_json.h"
 #include "report/scene.h"
@@ -22,6 +23,23 @@ std::string point_text(const Eigen::Vector3d& at) {
     return fmt::format("{:.6g} {:.6g} {:.6g}", at.x(), at.y(), at.z());
 }
 
+/// What fits a screen: the edges that do not pass.
+Table faulty_edges(const CheckResult& result) {
+    Table table({">edge", "faces", ">gap [mm]", ">angle [deg]", "at", "near miss"});
+    for (const EdgeContinuity& edge : worst_first(result.report.edges, result.profile)) {
+        if (edge.samples > 0 && !is_near_miss(edge, result.profile)) {
+            continue;
+        }
+        const bool gaps = edge.max_gap > result.profile.tolerance.linear;
+        const std::string fault = fault_of(edge, result.profile);
+        table.add({std::to_string(edge.edge), fmt::format("{}, {}", edge.faces[0], edge.faces[1]),
+                   short_number(edge.max_gap), short_number(degrees(edge.max_angle)),
+                   point_text(gaps ? edge.gap_at : edge.angle_at),
+                   fault.empty() ? edge.note : fault});
+    }
+    return table;
+}
+
 Section edge_section(const CheckResult& result) {
     const Profile& profile = result.profile;
     Table table({">edge", "faces", "class", ">gap [mm]", ">angle [deg]", ">curvature [%]",
@@ -38,12 +56,15 @@ Section edge_section(const CheckResult& result) {
                    point_text(at),
                    is_near_miss(edge, profile) ? "near miss " + edge.note : edge.note});
     }
-    return {"Edges, the worst first", std::move(table), {}, /*of_edges=*/true};
+    Section section{"Edges, the worst first", std::move(table), {}, /*of_edges=*/true};
+    section.brief = faulty_edges(result);
+    return section;
 }
 
 Section knot_section(const CheckResult& result) {
     Table table({">face", "knot", "smooth to", ">gap [mm]", ">angle [deg]", ">curvature [%]", "at",
                  "remark"});
+    Table faulty(table);
     for (const KnotLine& line : result.knots) {
         table.add({std::to_string(line.face),
                    fmt::format("{} = {:.6g}", line.is_u ? "u" : "v", line.knot),
@@ -51,8 +72,13 @@ Section knot_section(const CheckResult& result) {
                    short_number(line.max_gap), short_number(degrees(line.max_angle)),
                    percent_of(line.curvature_mismatch), point_text(line.at),
                    is_near_miss(line, result.profile) ? "near miss" : ""});
+        if (is_near_miss(line, result.profile)) {
+            faulty.add(table.rows().back());
+        }
     }
-    return {"Inside faces: knots that are no more than C1", std::move(table), {}};
+    Section section{"Inside faces: knots that are no more than C1", std::move(table), {}};
+    section.brief = std::move(faulty);
+    return section;
 }
 
 /// Of all certified edges, how far the bounds lie above what was measured: the middle one, as a
@@ -205,6 +231,8 @@ Outcome report_check(const Command& command, const std::shared_ptr<const CheckRe
     Outcome outcome;
     outcome.exit_code = result->summary.pass() ? kDone : kOutOfTolerance;
     outcome.verdict = verdict_of(result->summary, result->profile);
+    outcome.next =
+        result->summary.pass() ? "" : "next: --report R.html shows them in 3D; -v lists all edges";
     outcome.document = {
         {"model", json_of(model.file)},
         {"sewing", json_of(model.sewing)},
@@ -242,7 +270,9 @@ Outcome report_check(const Command& command, const std::shared_ptr<const CheckRe
                                        .profile = result->profile,
                                        .report = result->report,
                                        .knots = result->knots,
-                                       .summary = result->summary};
+                                       .summary = result->summary,
+                                       .holes = {},
+                                       .parts = scene_parts(result->model.file)};
         return report::make_scene(input, progress).map([&](const std::string& scene) {
             return html_report(command, *shown, scene);
         });

@@ -7,30 +7,43 @@
 namespace suture::cli {
 namespace {
 
-/// More rows than a screen has are no help; the reports have them all.
-constexpr std::size_t kTerminalRows = 60;
+/// More rows than a screen has are no help.
+constexpr std::size_t kScreenRows = 20;
 
-}  // namespace
-
-std::string text_of(const Outcome& outcome) {
+std::string text_of(const Section& section, bool verbose) {
+    if (section.detail && !verbose) {
+        return {};
+    }
     std::string text;
-    for (const Section& section : outcome.sections) {
-        text += section.heading.empty() ? "" : section.heading + '\n';
-        const std::vector<std::vector<std::string>>& rows = section.table.rows();
-        Table shown(section.table);
-        if (rows.size() > kTerminalRows) {
-            shown.keep_first(kTerminalRows);
-        }
-        text += rows.empty() ? "" : shown.text();
-        if (rows.size() > kTerminalRows) {
-            text += fmt::format("... and {} more: --json and --report R.html have them all\n",
-                                rows.size() - kTerminalRows);
-        }
+    Table shown = verbose || !section.brief ? section.table : *section.brief;
+    const std::size_t rows = shown.rows().size();
+    if (!verbose) {
+        shown.keep_first(kScreenRows);
+    }
+    text += rows == 0 ? "" : shown.text();
+    if (rows > shown.rows().size()) {
+        text += fmt::format("... and {} more: -v, --json and --report R.html have them all\n",
+                            rows - shown.rows().size());
+    }
+    if (verbose || !section.notes_are_detail) {
         for (const std::string& note : section.notes) {
             text += "  " + visible(note) + '\n';
         }
-        text += '\n';
     }
+    if (text.empty()) {
+        return text;
+    }
+    return (section.heading.empty() ? "" : section.heading + '\n') + text + '\n';
+}
+
+}  // namespace
+
+std::string text_of(const Outcome& outcome, bool verbose) {
+    std::string text;
+    for (const Section& section : outcome.sections) {
+        text += text_of(section, verbose);
+    }
+    text += outcome.next.empty() ? "" : visible(outcome.next) + '\n';
     return text + visible(outcome.verdict) + '\n';
 }
 

@@ -30,18 +30,23 @@ using Json = nlohmann::ordered_json;
 
 class Run;
 
-/// A part of a report: shown on the terminal, and in full in an HTML report.
+/// A part of a report: shown on the terminal, where it has to fit a screen unless --verbose asks
+/// for all of it, and in full in an HTML report.
 struct Section {
     std::string heading;
     Table table;
     std::vector<std::string> notes;
     bool of_edges = false;  ///< a page with a 3D view has a better table of the same
+    bool detail = false;    ///< the terminal shows it with --verbose only
+    bool notes_are_detail = false;
+    std::optional<Table> brief = std::nullopt;  ///< of the table, what a screen has room for
 };
 
 /// What a command has to say. The terminal, the JSON document and the HTML report all show it.
 struct Outcome {
     int exit_code = kDone;
     std::string verdict;  ///< one line
+    std::string next;     ///< one line: what to do about it; may be empty
     std::vector<Section> sections;
     Json document = Json::object();  ///< without the head that all documents share
     /// Reports in formats that only this command has, or has its own way for, by extension
@@ -49,8 +54,8 @@ struct Outcome {
     std::map<std::string, std::function<Result<std::string>(Run&)>> reports;
 };
 
-/// The outcome for a terminal: its tables, and the verdict as the last line.
-[[nodiscard]] std::string text_of(const Outcome& outcome);
+/// The outcome for a terminal: its tables, what to do next, and the verdict as the last line.
+[[nodiscard]] std::string text_of(const Outcome& outcome, bool verbose);
 
 /// What a command's run needs of the program around it.
 class Run {
@@ -84,6 +89,7 @@ class Run {
 struct CommonOptions {
     bool json = false;
     bool verbose = false;
+    bool quiet = false;  ///< errors alone
     ProgressStyle progress = ProgressStyle::Auto;
     double read_timeout = 300.0;   ///< seconds
     double timeout = 7200.0;       ///< seconds, for the whole run

@@ -25,6 +25,8 @@ constexpr int kBarWidth = 28;
 constexpr int kUsualTerminalWidth = 80;
 constexpr std::string_view kEraseLine = "\r\x1b[K";
 
+bool is_quiet = false;
+
 /// Result  0, or the errno that ended it.
 int write_all(int file, std::string_view text) {
     while (!text.empty()) {
@@ -82,7 +84,13 @@ void print_error(std::string_view message) {
 }
 
 void print_warning(std::string_view message) {
-    print_line("warning: ", message);
+    if (!is_quiet) {
+        print_line("warning: ", message);
+    }
+}
+
+void be_quiet() {
+    is_quiet = true;
 }
 
 ResultStream::ResultStream(bool verbose) : file_(dup(STDOUT_FILENO)) {
@@ -164,7 +172,9 @@ void set_up_log(bool verbose) {
     formatter->add_flag<VisiblePayload>('*').set_pattern(
         (terminal ? std::string(kEraseLine) : std::string()) + "%l: %*");
     logger->set_formatter(std::move(formatter));
-    logger->set_level(verbose ? spdlog::level::debug : spdlog::level::warn);
+    logger->set_level(verbose    ? spdlog::level::debug
+                      : is_quiet ? spdlog::level::err
+                                 : spdlog::level::warn);
     logger->flush_on(spdlog::level::debug);
     spdlog::set_default_logger(std::move(logger));
 }

@@ -13,7 +13,8 @@ namespace suture::cli {
 /// One line of at most 300 letters on stderr: "error: ...". What would steer the terminal is made
 /// visible; what is left out of a longer one stands in the JSON document.
 void print_error(std::string_view message);
-void print_warning(std::string_view message);
+void print_warning(std::string_view message);  ///< unless be_quiet was called
+void be_quiet();
 
 /// Standard output, kept for the result alone: from construction on, what a library writes to file
 /// descriptor 1 goes to stderr if `verbose`, or else nowhere.
@@ -61,7 +62,7 @@ class ProgressDisplay {
     bool visible_ = false;
 };
 
-/// Makes spdlog write to stderr: warnings, or with verbose everything.
+/// Makes spdlog write to stderr: warnings, with verbose everything, when quiet errors alone.
 void set_up_log(bool verbose);
 
 }  // namespace suture::cli

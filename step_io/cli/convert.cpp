@@ -9,6 +9,8 @@
 
 #include <fmt/format.h>
 
+#include <optional>
+
 namespace suture::cli {
 namespace {
 
@@ -24,14 +26,16 @@ constexpr CommandHelp kHelp{
     "  suture convert part.igs part.step --sew      loose faces become shells and solids\n"
     "  suture convert part.step part.3mf            a mesh for printing\n"
     "  suture convert part.step part.stl --deflection 0.01\n"
-    "Exit codes: 0 done, 2 the file cannot be read, 1 wrong usage, 5 the output cannot be "
-    "written.\n"};
+    "Exit codes: 0 done, 4 the mesh is written, but open, 2 the file cannot be read, 1 wrong "
+    "usage,\n"
+    "5 the output cannot be written.\n"};
 
 struct ConvertOptions {
     std::filesystem::path output;
     LoadOptions load{false, std::nullopt};
     MeshSettings mesh;
     bool force = false;
+    bool open_ok = false;
     io::Format format = io::Format::Step;
 };
 
@@ -54,6 +58,48 @@ Result<void> validate(Command& command, ConvertOptions& options) {
     return {};
 }
 
+/// The mesh that was written; none of other formats.
+Result<std::optional<io::Mesh>> write(const io::ModelFile& model, const ConvertOptions& options) {
+    if (!io::is_mesh(options.format)) {
+        return io::write_model(model, options.output, options.format, {}).map([](const auto&) {
+            return std::optional<io::Mesh>();
+        });
+    }
+    Result<io::Mesh> mesh = io::make_mesh(model.shape(), to_io(options.mesh));
+    return std::move(mesh).and_then([&](io::Mesh&& made) {
+        return io::write_mesh(made, options.output, options.format).map([&] {
+            return std::optional<io::Mesh>(std::move(made));
+        });
+    });
+}
+
+/// What a user has to know of a mesh.
+void tell_mesh(const io::Mesh& mesh, const ConvertOptions& options, Outcome& outcome) {
+    outcome.document["mesh"] = {{"triangles", mesh.triangles.size()},
+                                {"points", mesh.points.size()},
+                                {"deflection", mesh.deflection},
+                                {"needles_removed", mesh.needles},
+                                {"open_edges", mesh.open_edges}};
+    outcome.verdict += fmt::format(", {} triangles", mesh.triangles.size());
+    const double wanted = options.mesh.deflection.value_or(mesh.deflection);
+    if (mesh.deflection > wanted) {
+        outcome.verdict += fmt::format(
+            ", with a deflection of {} mm: OCCT could not mesh all faces "
+            "with {} mm",
+            short_number(mesh.deflection), short_number(wanted));
+    }
+    if (mesh.open_edges == 0) {
+        return;
+    }
+    outcome.verdict +=
+        fmt::format("; the mesh is OPEN along {} edges of triangles", mesh.open_edges);
+    outcome.next = options.open_ok
+                       ? ""
+                       : "next: `suture fill` closes the holes, --sew joins loose faces; "
+                         "--open-ok takes an open mesh as good";
+    outcome.exit_code = options.open_ok ? kDone : kOutOfTolerance;
+}
+
 Result<Outcome> convert(Run& run, const Command& command, const ConvertOptions& options) {
     constexpr double kLoaded = 0.6;
     const Result<LoadedModel> model = load_model(run, command.input, options.load, kLoaded);
@@ -63,8 +109,7 @@ Result<Outcome> convert(Run& run, const Command& command, const ConvertOptions& 
     const Stopwatch watch;
     const Progress progress =
         run.stage(Stage::Writing, "writing " + options.output.filename().string(), kLoaded, 1.0);
-    const auto written =
-        io::write_model(model->file, options.output, options.format, to_io(options.mesh));
+    const Result<std::optional<io::Mesh>> written = write(model->file, options);
     if (!written) {
         return tl::unexpected(written.error());
     }
@@ -87,6 +132,9 @@ Result<Outcome> convert(Run& run, const Command& command, const ConvertOptions& 
         {"lost", lost},
         {"seconds",
          {{"read", model->seconds_read}, {"sew", model->seconds_sew}, {"write", watch.seconds()}}}};
+    if (*written) {
+        tell_mesh(**written, options, outcome);
+    }
     return outcome;
 }
 
@@ -140,6 +188,8 @@ std::shared_ptr<Command> add_convert(CLI::App& app) {
                    "Sew edges that lie closer than this (default: from the model)")
         ->option_text("MM");
     add_mesh(sub, options->mesh);
+    sub.add_flag("--open-ok", options->open_ok,
+                 "Meshes: an open one is no failure (exit code 4), as of surface models");
     sub.add_flag("--force", options->force, "Allow OUT to be IN itself");
     add_batch_options(*command->app, true);
     Command* self = command.get();

@@ -81,7 +81,9 @@ class DemoReport {
         outcome.verdict =
             fmt::format("{} written in {:.1f} s; open {} in a browser",
                         counted(files_, "STEP file"), seconds, (out / "report.html").string());
-        outcome.sections.push_back({"", std::move(table_), {}});
+        Section section{"", std::move(table_), {}};
+        section.brief = std::move(best_);
+        outcome.sections.push_back(std::move(section));
         outcome.document = {{"output", out.string()},
                             {"fills", std::move(fills_)},
                             {"seconds", {{"total", seconds}}}};
@@ -98,14 +100,23 @@ class DemoReport {
         const std::string used =
             method == "auto" && filled ? "auto: " + hole.method_used : std::string(method);
         const auto cell = [&](std::string text) { return filled ? std::move(text) : ""; };
-        table_.add({example.stem().string(), std::to_string(sides), used,
-                    cell(std::string(to_string(hole.continuity_reached))),
-                    cell(short_number(hole.max_gap)), cell(short_number(degrees(hole.max_angle))),
-                    fmt::format("{:.2f}", hole.seconds), result});
+        std::vector<std::string> row{example.stem().string(),
+                                     std::to_string(sides),
+                                     used,
+                                     cell(std::string(to_string(hole.continuity_reached))),
+                                     cell(short_number(hole.max_gap)),
+                                     cell(short_number(degrees(hole.max_angle))),
+                                     fmt::format("{:.2f}", hole.seconds),
+                                     result};
+        if (method == "auto") {
+            best_.add(row);
+        }
+        table_.add(std::move(row));
     }
 
     Table table_{
         {"example", ">sides", "method", "reached", ">gap [mm]", ">angle [deg]", ">s", "result"}};
+    Table best_{table_};  ///< what `auto` made: a screen has no room for all
     Json fills_ = Json::array();
     int files_ = 0;
     bool complete_ = true;

@@ -1,6 +1,7 @@
 #include "cli/fill_page.h"
 
 #include "cli/report_html.h"
+#include "cli/scene_parts.h"
 
 #include "report/scene.h"
 
@@ -27,6 +28,8 @@ Result<report::SceneInput> measured_scene(const FillSummary& summary, const Tole
     input.report = std::move(*report);
     input.knots = std::move(*knots);
     input.summary = summarise(input.report, input.knots, input.profile);
+    input.holes = scene_holes(summary);
+    input.parts = scene_parts(summary.file);
     return input;
 }
 

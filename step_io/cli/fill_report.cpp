@@ -2,6 +2,7 @@
 
 #include "cli/report_json.h"
 #include "files/losses.h"
+#include "suture/base/text.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -88,14 +89,28 @@ std::vector<std::string> row_of(const HoleReport& hole, int sides) {
     return row;
 }
 
+/// One line for a hole.
+std::vector<std::string> brief_row_of(const HoleReport& hole, int sides) {
+    const std::vector<std::string> row = row_of(hole, sides);
+    std::string result = hole.status == FillStatus::Filled
+                             ? std::string(to_string(hole.verdict.severity))
+                             : fmt::format("{}: {}", to_string(hole.status), hole.reason);
+    constexpr std::size_t kMost = 40;  // so that it fits on a line
+    return {row[0], row[1], row[2], row[5], row[6], row[7], shortened(result, kMost)};
+}
+
 Section hole_section(const FillSummary& summary) {
     Section section{"Holes",
                     Table({">hole", ">sides", "method", "surface", "asked", "reached", ">gap [mm]",
                            ">angle [deg]", ">curvature [%]", ">s", "result"}),
                     {}};
+    section.notes_are_detail = true;
+    section.brief =
+        Table({">hole", ">sides", "method", "reached", ">gap [mm]", ">angle [deg]", "result"});
     for (const std::size_t index : worst_first(summary.holes)) {
         const HoleReport& hole = summary.holes[index];
         section.table.add(row_of(hole, summary.sides[index]));
+        section.brief->add(brief_row_of(hole, summary.sides[index]));
         if (!hole.tried) {
             continue;
         }
@@ -156,6 +171,21 @@ std::string worst_of(const std::vector<Finding>& findings) {
     const Finding& worst = findings.front();
     return worst.hole > 0 ? fmt::format("; worst: {} (hole {})", to_text(worst), worst.hole)
                           : fmt::format("; worst: {}", to_text(worst));
+}
+
+/// What a user does next about holes that are not as they should be.
+std::string next_of(const Counts& counts, const FillSummary& summary) {
+    const auto bad = [](const HoleReport& hole) { return hole.status == FillStatus::Refused; };
+    const auto rejected = std::ranges::find_if(summary.holes, bad);
+    if (rejected != summary.holes.end()) {
+        return fmt::format(
+            "next: -v says why every method was refused; --report R.html shows hole {} in 3D",
+            ids_of(*rejected));
+    }
+    return counts.out_of_tolerance > 0
+               ? "next: --report R.html shows in 3D where it is out of tolerance; -v lists "
+                 "everything"
+               : "";
 }
 
 std::string verdict_of(const Counts& counts, const FillSummary& summary,
@@ -237,6 +267,7 @@ Outcome report_fill(const FillSummary& summary, const FillSettings& settings) {
     const bool good = counts.refused == 0 && severity == Severity::Good;
     outcome.exit_code = good ? kDone : kOutOfTolerance;
     outcome.verdict = verdict_of(counts, summary, settings, findings);
+    outcome.next = next_of(counts, summary);
     if (!summary.changes.empty()) {
         outcome.sections.push_back({"Changes", Table({}), summary.changes});
     }

@@ -1,13 +1,17 @@
 #include "cli/batch.h"
 #include "cli/load.h"
 #include "cli/options.h"
+#include "cli/report_html.h"
 #include "cli/report_json.h"
+#include "cli/scene_parts.h"
 #include "suture/check/validity.h"
 #include "suture/ribbon/extract.h"
 
 #include <fmt/ranges.h>
 
 #include <BRepAdaptor_Curve.hxx>
+#include <BRepBndLib.hxx>
+#include <Bnd_Box.hxx>
 
 #include <algorithm>
 
@@ -64,6 +68,19 @@ std::string neighbours_of(const BoundaryLoop& loop) {
     return ranges(std::move(faces));
 }
 
+std::string position_of(const BoundaryLoop& loop, const TopLoc_Location& placement) {
+    Bnd_Box box;
+    for (const BoundaryEdge& side : loop.edges) {
+        BRepBndLib::Add(side.edge, box);
+    }
+    if (box.IsVoid()) {
+        return "-";
+    }
+    const gp_Pnt middle = gp_Pnt(0.5 * (box.CornerMin().XYZ() + box.CornerMax().XYZ()))
+                              .Transformed(placement.Transformation());
+    return fmt::format("{:.4g} {:.4g} {:.4g}", middle.X(), middle.Y(), middle.Z());
+}
+
 /// Below a millionth of a degree there is only rounding.
 std::string mismatch_text(double mismatch) {
     return degrees(mismatch) < 1e-6 ? "0" : short_number(degrees(mismatch));
@@ -72,7 +89,8 @@ std::string mismatch_text(double mismatch) {
 /// The table of the holes, or of the loops that are none.
 class LoopTables {
   public:
-    void add(const BoundaryLoop& loop, const io::Part& part, const std::vector<Corner>& corners) {
+    void add(const BoundaryLoop& loop, const io::Part& part, const std::vector<Corner>& corners,
+             const std::string& position) {
         const bool is_hole = loop.kind == LoopKind::Hole;
         ++(is_hole ? holes_ : others_);
         double mismatch = 0.0;
@@ -83,13 +101,13 @@ class LoopTables {
             part.instances > 1 ? fmt::format("{} (x{})", part.name, part.instances) : part.name;
         if (is_hole) {
             hole_table_.add({std::to_string(loop.id), std::to_string(loop.edges.size()),
-                             short_number(loop.diameter), loop.planar ? "yes" : "no",
+                             short_number(loop.diameter), position, loop.planar ? "yes" : "no",
                              corners.empty() ? "-" : mismatch_text(mismatch), edges_of_loop(loop),
                              neighbours_of(loop), where});
         } else {
             other_table_.add({std::to_string(loop.id), std::string(to_string(loop.kind)),
                               std::to_string(loop.edges.size()), short_number(loop.diameter),
-                              edges_of_loop(loop), where, loop.reason});
+                              position, edges_of_loop(loop), where, loop.reason});
         }
     }
 
@@ -111,9 +129,9 @@ class LoopTables {
     }
 
   private:
-    Table hole_table_{{">hole", ">sides", ">diameter", "planar", ">corner mismatch [deg]", "edges",
-                       "neighbours", "part"}};
-    Table other_table_{{">loop", "kind", ">sides", ">diameter", "edges", "part", "why"}};
+    Table hole_table_{{">hole", ">sides", ">diameter [mm]", "at", "planar",
+                       ">corner mismatch [deg]", "edges", "neighbours", "part"}};
+    Table other_table_{{">loop", "kind", ">sides", ">diameter [mm]", "at", "edges", "part", "why"}};
     int holes_ = 0;
     int others_ = 0;
 };
@@ -144,26 +162,57 @@ std::string verdict_of(const LoopTables& tables, const LoadedModel& model) {
     return verdict;
 }
 
+/// The page shows the holes in 3D, and how smoothly the faces around them meet as they are.
+Result<report::SceneInput> scene_of(const LoadedModel& model, const std::vector<PartLoops>& parts,
+                                    const Progress& progress) {
+    report::SceneInput input;
+    input.shape = model.whole;
+    Result<ContinuityReport> report = measure_continuity(input.shape, input.profile, {}, progress);
+    if (!report) {
+        return tl::unexpected(report.error());
+    }
+    input.report = std::move(*report);
+    input.summary = summarise(input.report, input.knots, input.profile);
+    input.holes = scene_holes(parts);
+    input.parts = scene_parts(model.file);
+    return input;
+}
+
+void add_page(const Command& command, const std::shared_ptr<const LoadedModel>& model,
+              const std::shared_ptr<const std::vector<PartLoops>>& parts, Outcome& outcome) {
+    outcome.reports[".html"] = [&command, model, parts, shown = std::make_shared<Outcome>(outcome)](
+                                   Run& run) -> Result<std::string> {
+        const Progress progress = run.stage(Stage::Checking, "drawing the model", 0.9, 1.0);
+        return scene_of(*model, *parts, progress)
+            .and_then([&](const report::SceneInput& input) {
+                return report::make_scene(input, progress);
+            })
+            .map([&](const std::string& scene) { return html_report(command, *shown, scene); });
+    };
+}
+
 Result<Outcome> inspect(Run& run, const Command& command, const LoadOptions& options) {
     // Reading takes most of the time.
     constexpr double kLoaded = 0.8;
-    const Result<LoadedModel> model = load_model(run, command.input, options, kLoaded);
-    if (!model) {
-        return tl::unexpected(model.error());
+    Result<LoadedModel> loaded = load_model(run, command.input, options, kLoaded);
+    if (!loaded) {
+        return tl::unexpected(loaded.error());
     }
+    const auto model = std::make_shared<const LoadedModel>(std::move(*loaded));
     const Stopwatch watch;
     const Progress progress = run.stage(Stage::Finding, "finding holes", kLoaded, 1.0);
-    const Result<std::vector<PartLoops>> parts = find_model_loops(*model);
-    if (!parts) {
-        return tl::unexpected(parts.error());
+    Result<std::vector<PartLoops>> found = find_model_loops(*model);
+    if (!found) {
+        return tl::unexpected(found.error());
     }
+    const auto parts = std::make_shared<const std::vector<PartLoops>>(std::move(*found));
     LoopTables tables;
     std::vector<std::string> notes = notes_of(model->sewing);
     Json holes = Json::array();
     for (const PartLoops& part : *parts) {
         for (const BoundaryLoop& loop : part.loops) {
             const std::vector<Corner> corners = corners_in_model(loop, part.placement, notes);
-            tables.add(loop, part.part, corners);
+            tables.add(loop, part.part, corners, position_of(loop, part.placement));
             note_islands(loop, notes);
             holes.push_back(json_of(loop, part.part, corners));
         }
@@ -184,6 +233,7 @@ Result<Outcome> inspect(Run& run, const Command& command, const LoadOptions& opt
                           {"sew", model->seconds_sew},
                           {"detect", watch.seconds()}}}};
     outcome.sections = std::move(tables).sections(std::move(notes));
+    add_page(command, model, parts, outcome);
     return outcome;
 }
 
@@ -194,6 +244,7 @@ std::shared_ptr<Command> add_inspect(CLI::App& app) {
     auto options = std::make_shared<LoadOptions>();
     add_input(*command);
     add_reports(*command);
+    add_picture(*command);
     add_sewing(*command, *options);
     command->validate = [options] { return validate_sewing(*options); };
     const Command* self = command.get();

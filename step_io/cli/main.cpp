@@ -13,7 +13,9 @@
 #include "cli/text_file.h"
 #include "cli/usage.h"
 #include "files/atomic_file.h"
+#include "files/file_bytes.h"
 #include "files/format.h"
+#include "files/packed.h"
 #include "files/read.h"
 #include "suture/base/on_demand.h"
 #include "suture/occ/guard.h"
@@ -183,6 +185,10 @@ int run_job(Command& command, const StageLine& line, std::stop_token cancel,
         enter_sandbox(paths_of(command));
     }
     const ResultStream out(command.common.verbose);
+    if (command.common.quiet) {
+        be_quiet();
+        command.common.progress = ProgressStyle::None;
+    }
     set_up_log(command.common.verbose);
     Run run(line, std::move(cancel), command.common.progress);
     Result<Outcome> outcome = run_command(command, run, broker);
@@ -197,9 +203,12 @@ int run_job(Command& command, const StageLine& line, std::stop_token cancel,
         return print_failure(command, outcome.error(), exit_code(outcome.error().code),
                              [&](std::string_view text) { std::ignore = out.print(text); });
     }
-    return print_result(
-        out, command.common.json ? to_text(whole_document(command, *outcome)) : text_of(*outcome),
-        outcome->exit_code);
+    const CommonOptions& common = command.common;
+    return print_result(out,
+                        common.json    ? to_text(whole_document(command, *outcome))
+                        : common.quiet ? ""
+                                       : text_of(*outcome, common.verbose),
+                        outcome->exit_code);
 }
 
 /// Which file stands in the output's place, and since when; nothing where there is none.
@@ -278,9 +287,15 @@ Error error_of(const Command& command, const Ending& ending, const std::string& 
     return {ErrorCode::Cancelled, fmt::format("interrupted while {}{}", ending.what, written)};
 }
 
-/// Of STEP files OCCT can read some that it crashes on when it keeps the names of faces.
-bool is_step(const std::filesystem::path& file) {
-    const Result<io::Format> format = io::format_of_content(file);
+/// Of STEP files OCCT can read some that it crashes on when it keeps the names of faces. What a
+/// packed file holds is not looked for in this process, which has no sandbox.
+bool may_be_step(const std::filesystem::path& file) {
+    constexpr std::size_t kEnds = 4096;
+    const Result<std::string> bytes = io::read_ends(file, kEnds);
+    if (!bytes || io::is_packed(*bytes)) {
+        return bytes.has_value();
+    }
+    const Result<io::Format> format = io::format_of_bytes(*bytes, file);
     return format && *format == io::Format::Step;
 }
 
@@ -305,7 +320,7 @@ int supervised(Command& command) {
     const std::string output_before = identity_of_output(command);
     Ending ending = supervise(limits, job);
     if (ending.kind == Ending::Kind::Crashed && ending.stage == Stage::Reading &&
-        is_step(command.input)) {
+        may_be_step(command.input)) {
         io::forget_face_names();
         ending = supervise(limits, job);
     }
@@ -334,6 +349,21 @@ int print_usage_error(const std::vector<std::string>& words,
     return print_failure(meant, error, kUsage, print_to_stdout);
 }
 
+/// The long options of the command that the words are for.
+std::vector<std::string> options_of(const CLI::App& app, const std::vector<std::string>& words) {
+    std::vector<std::string> names;
+    for (const CLI::App* command : app.get_subcommands([&](const CLI::App* other) {
+             return !words.empty() && other->get_name() == words.front();
+         })) {
+        for (const CLI::Option* option : command->get_options()) {
+            for (const std::string& name : option->get_lnames()) {
+                names.push_back("--" + name);
+            }
+        }
+    }
+    return names;
+}
+
 /// The exit code if the run ends here.
 std::optional<int> parse(CLI::App& app, const std::vector<std::string>& given) {
     const std::vector<std::string> words = without_help_command(given);
@@ -354,7 +384,8 @@ std::optional<int> parse(CLI::App& app, const std::vector<std::string>& given) {
             app.exit(error, text);  // --help, --version
             return print_result(ResultStream(false), text.str(), kDone);
         }
-        return print_usage_error(words, commands, usage_error(words, commands, error.what()));
+        return print_usage_error(
+            words, commands, usage_error(words, commands, options_of(app, words), error.what()));
     }
     return std::nullopt;
 }
@@ -403,6 +434,9 @@ int run_program(std::vector<std::string> words) {
     const std::vector<std::shared_ptr<Command>> commands{
         add_inspect(app), add_fill(app),  add_bridge(app),  add_check(app), add_convert(app),
         add_sew(app),     add_patch(app), add_methods(app), add_demo(app),  add_algebraic(app)};
+    if (words.empty()) {
+        return print_result(ResultStream(false), app.help(), kUsage);
+    }
     if (!words.empty() && words.front() == "describe") {  // for packages, so not in the help
         const Result<std::string> text = describe(app, {words.begin() + 1, words.end()});
         return text ? print_result(ResultStream(false), *text, kDone)

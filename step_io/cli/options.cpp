@@ -67,7 +67,12 @@ std::shared_ptr<Command> add_command(CLI::App& app, const std::string& name,
         ->check(CLI::IsMember({"auto", "bar", "json", "none"}))
         ->option_text("STYLE");
     command->app->add_flag("-v,--verbose", common.verbose,
-                           "Say on stderr what is being done, OCCT's own messages included");
+                           "Print all there is to say, and on stderr what is being done, OCCT's "
+                           "own messages included");
+    command->app
+        ->add_flag("-q,--quiet", common.quiet,
+                   "Print errors alone, and with --json the document; the exit code says the rest")
+        ->excludes("--verbose");
     command->app
         ->add_option("--timeout", common.timeout,
                      "Give up the whole run after so many seconds (default 7200)")
@@ -176,9 +181,8 @@ Result<void> validate_picture(const Command& command) {
                     "a number, or a direction x,y,z",
                     common.picture_wish.view);
     }
-    if (report::find_browser().empty()) {
-        return fail(ErrorCode::Usage,
-                    "--picture needs a browser: install chromium, or name one in SUTURE_BROWSER");
+    if (const auto browser = report::find_browser(); !browser) {
+        return fail(ErrorCode::Usage, "--picture: {}", browser.error().message);
     }
     return expect_writable("--picture", common.picture, command.input, Force::NotOffered);
 }

@@ -21,9 +21,10 @@ namespace suture::cli {
 
 /// What is wrong with words that the parser did not take, in terms of the user.
 ///
-/// Input  complaint: what the parser says.
+/// Input  options: the long options of the words' command; complaint: what the parser says.
 [[nodiscard]] Error usage_error(const std::vector<std::string>& words,
                                 const std::vector<std::string>& commands,
+                                const std::vector<std::string>& options,
                                 const std::string& complaint);
 
 }  // namespace suture::cli

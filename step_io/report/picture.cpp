@@ -87,30 +87,52 @@ std::string address_of(const fs::path& page, const PictureWish& wish) {
 
 }  // namespace
 
-fs::path find_browser() {
-    if (const char* named = std::getenv("SUTURE_BROWSER"); named != nullptr) {
-        return named;
+namespace {
+
+/// A program by its path, or by its name on the PATH; empty if there is none.
+fs::path find_program(const std::string& name) {
+    if (name.find('/') != name.npos) {
+        return access(name.c_str(), X_OK) == 0 ? fs::path(name) : fs::path();
     }
     const char* path = std::getenv("PATH");
-    for (const char* name : {"chromium", "chromium-browser", "google-chrome"}) {
-        std::istringstream folders(path == nullptr ? "" : path);
-        for (std::string folder; std::getline(folders, folder, ':');) {
-            fs::path program = fs::path(folder) / name;
-            if (access(program.c_str(), X_OK) == 0) {
-                return program;
-            }
+    std::istringstream folders(path == nullptr ? "" : path);
+    for (std::string folder; std::getline(folders, folder, ':');) {
+        fs::path program = fs::path(folder) / name;
+        if (access(program.c_str(), X_OK) == 0) {
+            return program;
         }
     }
     return {};
 }
 
+}  // namespace
+
+Result<fs::path> find_browser() {
+    if (const char* named = std::getenv("SUTURE_BROWSER"); named != nullptr) {
+        const fs::path program = find_program(named);
+        if (program.empty()) {
+            return fail(ErrorCode::Usage,
+                        "SUTURE_BROWSER names {}, and there is no such program: name a browser of "
+                        "the chromium family",
+                        named);
+        }
+        return program;
+    }
+    for (const char* name : {"chromium", "chromium-browser", "google-chrome"}) {
+        if (fs::path program = find_program(name); !program.empty()) {
+            return program;
+        }
+    }
+    return fail(ErrorCode::Usage,
+                "pictures are drawn by a browser, and there is none: install chromium, or name one "
+                "in SUTURE_BROWSER");
+}
+
 Result<void> take_picture(const std::string& page, const PictureWish& wish, const fs::path& png,
                           std::chrono::seconds limit, const Progress& progress) {
-    const fs::path browser = find_browser();
-    if (browser.empty()) {
-        return fail(ErrorCode::Usage,
-                    "pictures are drawn by a browser, and there is none: install chromium, or name "
-                    "one in SUTURE_BROWSER");
+    const Result<fs::path> browser = find_browser();
+    if (!browser) {
+        return tl::unexpected(browser.error());
     }
     const TemporaryFolder folder;
     if (folder.path().empty()) {
@@ -120,7 +142,7 @@ Result<void> take_picture(const std::string& page, const PictureWish& wish, cons
     const fs::path html = folder.path() / "page.html";
     const fs::path shot = folder.path() / "shot.png";
     std::ofstream(html, std::ios::binary) << page;
-    std::vector<std::string> words{browser.string(),
+    std::vector<std::string> words{browser->string(),
                                    "--headless",
                                    "--disable-quic",
                                    "--no-first-run",
@@ -150,7 +172,7 @@ Result<void> take_picture(const std::string& page, const PictureWish& wish, cons
     }
     std::error_code error;
     if (ended != 0 || fs::file_size(shot, error) == 0 || error) {
-        return fail(ErrorCode::Internal, "{} took no picture{}", browser.string(),
+        return fail(ErrorCode::Internal, "{} took no picture{}", browser->string(),
                     ended ? fmt::format(" (exit code {})", *ended)
                           : fmt::format(" within {} s", limit.count()));
     }

@@ -19,8 +19,10 @@ struct PictureWish {
 };
 
 /// The browser that takes pictures: the program that SUTURE_BROWSER names, else the first of
-/// chromium, chromium-browser, google-chrome in PATH; empty if there is none.
-[[nodiscard]] std::filesystem::path find_browser();
+/// chromium, chromium-browser, google-chrome in PATH.
+///
+/// Refuses  (Usage) if there is none.
+[[nodiscard]] Result<std::filesystem::path> find_browser();
 
 /// Opens a page of make_scene's in a headless browser, and writes what it shows as a PNG file.
 ///

@@ -11,7 +11,6 @@
 #include <algorithm>
 #include <limits>
 #include <set>
-#include <string_view>
 
 namespace suture::report {
 namespace {
@@ -148,13 +147,43 @@ std::vector<int> numbers_of_new(const SceneInput& input) {
     return numbers;
 }
 
-/// Nothing in the text can end the script element that it stands in: JSON has "\/" for "/".
+Json holes_json(const std::vector<SceneHole>& holes) {
+    Json list = Json::array();
+    for (const SceneHole& hole : holes) {
+        list.push_back({{"id", hole.id},
+                        {"status", hole.status},
+                        {"text", hole.text},
+                        {"edges", hole.edges},
+                        {"faces", hole.faces}});
+    }
+    return list;
+}
+
+Json parts_json(const std::vector<ScenePart>& parts) {
+    Json list = Json::array();
+    for (const ScenePart& part : parts) {
+        const auto packed = [](const std::vector<int>& numbers) {
+            return base64_of(std::vector<std::uint32_t>(numbers.begin(), numbers.end()));
+        };
+        list.push_back({{"name", part.name},
+                        {"depth", part.depth},
+                        {"faces", packed(part.faces)},
+                        {"edges", packed(part.edges)}});
+    }
+    return list;
+}
+
+/// Nothing in the text is markup, or can end the script element that it stands in: JSON has
+/// "\u003c" for "<".
 std::string for_script_element(const std::string& json) {
     std::string text;
     text.reserve(json.size());
-    for (std::size_t i = 0; i < json.size(); ++i) {
-        text +=
-            i > 0 && json[i] == '/' && json[i - 1] == '<' ? "\\/" : std::string_view(&json[i], 1);
+    for (const char c : json) {
+        if (c == '<') {
+            text += "\\u003c";
+        } else {
+            text += c;
+        }
     }
     return text;
 }
@@ -193,6 +222,8 @@ Result<std::string> make_scene(const SceneInput& input, const Progress& progress
                            {"edges", edges_json(edges, input.profile)},
                            {"traces", traces_json(*traces)},
                            {"knots", knots_json(input)},
+                           {"holes", holes_json(input.holes)},
+                           {"parts", parts_json(input.parts)},
                            {"free_edges", input.report.free_edges},
                            {"non_manifold_edges", input.report.non_manifold},
                            {"pass", summary.pass()}};

@@ -277,6 +277,237 @@ class Fills(Report):
         self.assertIn("<table>", self.page.read_text())  # the holes
 
 
+class Holes(Report):
+    """The page of inspect, and of a fill: where is my hole?"""
+
+    TABLE = "document.querySelectorAll('#holes tr[data-hole]')"
+
+    def page_of_two_holes(self):
+        """A plate with two square holes in its top, which is a shell of nine faces without two."""
+        made = with_freecad(
+            lambda app, part: part.makeShell(
+                part.makeBox(100, 40, 10).cut(part.makeBox(20, 20, 4, app.Vector(10, 10, 6)))
+                .cut(part.makeBox(12, 12, 4, app.Vector(70, 14, 6))).Faces), self.folder)
+        holed = with_freecad(
+            lambda app, part: part.makeShell(
+                [f for f in part.read(str(made)).Faces
+                 if not (abs(f.CenterOfMass.z - 6) < 1e-6 and f.Area < 500)]), self.folder)
+        suture("inspect", holed, "--report", self.page)
+        return self.page
+
+    def test_inspect_numbers_the_holes_in_3d_and_opens_at_them(self):
+        browser = self.browser()
+        browser.open(self.page_of_two_holes())
+        browser.settle()
+        self.keep(browser, "report_inspect.png")
+        self.assertEqual(browser.errors, [])
+        self.assertEqual(browser.value(f"{self.TABLE}.length"), 2)
+        pins = browser.value("Array.from(document.querySelectorAll('.pin.hole:not([hidden])')).map(p => p.textContent)")
+        self.assertEqual(sorted(pins), ["1", "2"])
+        for hole in browser.value("sutureReport.holes.map(h => [h.diameter, h.centre, h.edges.length, h.out])"):
+            side = 20 if hole[1][0] < 50 else 12
+            self.assertAlmostEqual(hole[0], side * 2 ** 0.5, places=4)
+            self.assertAlmostEqual(hole[1][2], 6, places=5)
+            self.assertEqual(hole[2], 4)
+            self.assertAlmostEqual(abs(hole[3][2]), 1, places=6)
+        self.assertEqual(browser.value("sutureReport.view.borders.children.length"), 2)
+        self.assertGreater(browser.differing_pixels(lambda: browser.value(
+            "sutureReport.view.borders.visible = false; sutureReport.view.draw();")), 0.001)
+
+    def test_a_click_on_a_hole_anywhere_moves_to_it(self):
+        browser = self.browser()
+        browser.open(self.page_of_two_holes())
+        browser.settle()
+        chosen = "Array.from(document.querySelectorAll('#holes tr')).findIndex(r => r.ariaSelected === 'true')"
+        target = "sutureReport.view.controls.target.toArray()"
+        for click, row in (("#holes tr[data-hole='2']", 2), (".pin.hole", 1)):
+            browser.key("f")
+            browser.settle()
+            before = browser.value(target)
+            browser.click_on(click)
+            browser.settle()
+            self.assertEqual(browser.value(chosen), row)
+            self.assertNotEqual(browser.value(target), before)
+            centre = browser.value(f"sutureReport.holes[{row - 1}].centre")
+            for have, want in zip(browser.value(target), centre):
+                self.assertAlmostEqual(have, want, places=3)
+        browser.value("document.querySelector('#report tbody td button').click()")  # of the table below
+        self.assertEqual(browser.value(chosen), 1)
+        browser.key("o")
+        self.assertEqual(browser.value(chosen), 2)
+
+    def test_a_fill_opens_at_the_new_face_and_lists_its_edges(self):
+        shutil.copy(SOURCE / "docs/examples/suitcase_corner.step", self.folder)
+        suture("fill", "suitcase_corner.step", "-o", "filled.step", "--report", "r.html", cwd=self.folder)
+        browser = self.browser()
+        browser.open(self.page)
+        browser.settle()
+        self.assertEqual(browser.value("sutureReport.table.shown.length"), 3)
+        self.assertTrue(browser.value("sutureReport.table.shown.every(row => sutureReport.scene.isNew(row))"))
+        distance = browser.value("sutureReport.view.camera.position.distanceTo(sutureReport.view.controls.target)")
+        browser.key("f")
+        browser.settle()
+        self.assertGreater(browser.value(
+            "sutureReport.view.camera.position.distanceTo(sutureReport.view.controls.target)"), 2 * distance)
+        self.assertEqual(browser.value("document.getElementById('before').textContent"), "Show before")
+        browser.key("b")
+        self.assertEqual(browser.value("document.getElementById('before').textContent"), "Show after")
+        self.assertEqual(browser.value("sutureReport.view.borders.children.length"), 2)
+        self.keep(browser, "report_before.png")
+        browser.key("b")
+        browser.value("sutureReport.table.show(sutureReport.table.shown[0], false)")
+        self.assertEqual(browser.value("document.querySelector('#holes tr[aria-selected=true]').dataset.hole"), "1")
+
+
+class Tools(Report):
+    def open(self, name="nist_ctc_05_asme1_rd.stp", *words):
+        browser = self.browser()
+        browser.open(self.report_of(name, *words))
+        browser.settle()
+        return browser
+
+    def choose(self, browser, selector, value):
+        browser.value(f"(() => {{ const e = document.querySelector({selector!r}); e.value = {value!r};"
+                      "e.dispatchEvent(new Event('input')); e.dispatchEvent(new Event('change')); })()")
+        browser.settle()
+
+    def test_edges_are_found_and_filtered(self):
+        browser = self.open()
+        shown = "sutureReport.table.shown.map(r => sutureReport.scene.edge(r))"
+        near = browser.value("sutureReport.scene.near.reduce((n, x) => n + (x > 0), 0)")
+        self.choose(browser, "#table .which", "failing")
+        self.assertEqual(len(browser.value(shown)), near)
+        self.choose(browser, "#table .which", "all")
+        self.choose(browser, "#table .find", "101")
+        self.assertEqual(browser.value(shown), [101])
+        self.choose(browser, "#table .find", "f16")
+        found = browser.value("sutureReport.table.shown.map(r => sutureReport.scene.faces(r))")
+        self.assertGreater(len(found), 1)
+        self.assertTrue(all(16 in faces for faces in found))
+        row = browser.value("sutureReport.scene.rows") - 1
+        browser.value(f"sutureReport.table.show({row}, false)")  # chosen in the view: the filter must not hide it
+        browser.settle()
+        self.assertTrue(browser.value("(() => { const r = document.querySelector('#table tr[aria-selected=true]').getBoundingClientRect();"
+                                      "return r.top > 0 && r.bottom <= innerHeight; })()"))
+
+    def test_other_limits_give_the_classes_that_the_program_gives(self):
+        for limits in ({"g0": 1e-5, "g1": 1e-3, "g2": 0.5, "sharp": 20}, {"g0": 0.1, "g1": 1, "g2": 50, "sharp": 4}):
+            words = [f"--{key}={value}" for key, value in limits.items()]
+            asked = self.open("0044_bb_boxblend_03_colored.stp", *words)
+            by_edge = ("Object.fromEntries(Array.from({length: sutureReport.scene.rows}, (_, r) => "
+                       "[sutureReport.scene.edge(r), [sutureReport.scene.className(r), sutureReport.scene.near[r]]]))")
+            expected = asked.value(by_edge)
+            browser = self.open("0044_bb_boxblend_03_colored.stp")
+            self.assertNotEqual(browser.value(by_edge), expected)
+            for key, value in limits.items():
+                self.choose(browser, f"#limits [name={key}]", str(value))
+            self.assertEqual(browser.value(by_edge), expected, limits)
+            counts = browser.value("Object.fromEntries(Array.from(document.querySelectorAll('#legend input')).map("
+                                   "i => [i.dataset.category, Number(i.parentElement.querySelector('b').textContent)]))")
+            for category, count in counts.items():
+                self.assertEqual(browser.value(f"sutureReport.scene.byCategory().{category}.length"), count)
+            browser.click_on("#limits button")
+            browser.settle()
+            self.assertEqual(browser.value("sutureReport.scene.limits.g1"), 0.01)
+
+    def test_the_legend_adds_up_to_the_verdict(self):
+        browser = self.open()
+        verdict = browser.value("document.querySelector('.verdict').textContent")
+        sharp = browser.value("document.querySelector('[data-category=sharp]').parentElement.textContent")
+        numbers = [int(word) for word in sharp.replace("+", " ").split() if word.isdigit()]
+        self.assertEqual(len(numbers), 2)
+        self.assertIn(f"{sum(numbers)} sharp", verdict)
+
+    def test_deviation_is_drawn_with_its_figures(self):
+        browser = self.open()
+        pins = "document.querySelectorAll('.pin.deviation')"
+        self.assertEqual(browser.value(f"{pins}.length"), 0)
+        self.assertGreater(browser.differing_pixels(lambda: self.choose(browser, "#deviation", "angle")), 0.0005)
+        texts = browser.value(f"Array.from({pins}).map(p => [p.textContent, p.className])")
+        self.assertEqual(len(texts), 12)
+        values = [float(text.rstrip("°")) for text, _ in texts]
+        self.assertEqual(values, sorted(values, reverse=True))
+        for value, (_, name) in zip(values, texts):
+            self.assertIn("bad" if value > 0.01 else "good", name)
+        segments = browser.value("sutureReport.view.hairs.children.map(c => c.geometry.instanceCount)")
+        self.assertEqual(len(segments), 2)
+        self.keep(browser, "report_deviation.png")
+        browser.key("d")
+        self.assertEqual(browser.value(f"{pins}.length"), 0)
+
+    def test_a_section_cuts_faces_and_edges(self):
+        browser = self.open()
+        changed = browser.differing_pixels(lambda: self.choose(browser, "#section", "x"))
+        self.assertGreater(changed, 0.01)
+        self.keep(browser, "report_section.png")
+        half = browser.value("(() => { const v = sutureReport.view, d = v.data; let n = 0; for (let r = 0; r < d.rows; ++r) {"
+                             "const p = d.trace(r)[0]?.point; if (p && v.isCut({x: p[0], y: p[1], z: p[2]})) ++n; } return n; })()")
+        self.assertGreater(half, 100)
+        self.choose(browser, "#section-at", "100")
+        self.assertLess(browser.value("sutureReport.view.box.max.x - sutureReport.view.plane.constant"), 1e-4)
+        browser.click_on("#section-flip")
+        self.assertFalse(browser.value("sutureReport.view.isCut(sutureReport.view.box.max)"))
+        browser.key("x")
+        self.assertFalse(browser.value("sutureReport.view.cutting"))
+
+    def test_the_range_of_the_map_goes_by_area(self):
+        made = with_freecad(  # a large cylinder, and a tiny fillet with many points
+            lambda app, part: part.makeCylinder(50, 100).makeFillet(0.05, [part.makeCylinder(50, 100).Edges[0]]),
+            self.folder)
+        browser = self.open(made)
+        browser.click_on("[data-mode='curvature']")
+        browser.settle()
+        self.choose(browser, "#measure", "largest")
+        self.assertAlmostEqual(browser.value("sutureReport.view.material.uniforms.range.value"), 1 / 50, places=5)
+        self.choose(browser, "#range", "100")
+        self.assertAlmostEqual(browser.value("sutureReport.view.material.uniforms.range.value"), 1 / 0.05, places=2)
+
+    def test_a_singular_point_does_not_flatten_the_plot(self):
+        browser = self.open("0044_bb_boxblend_03_colored.stp")
+        browser.value("sutureReport.table.show(0, false)")
+        height = ("(() => { const ys = (document.querySelectorAll('#plot path.one')[0].getAttribute('d')"
+                  ".match(/ -?[\\d.]+/g) ?? []).map(Number); return Math.max(...ys) - Math.min(...ys); })()")
+        # The course of a smooth edge, and the same with one point that is singular.
+        browser.value("(() => { const s = sutureReport.scene, old = s.trace.bind(s); s.trace = (row) => old(row).map((p, i) => "
+                      "({ ...p, curvature: [0.1 + 0.01 * i, 0.2] })); sutureReport.table.show(0, false); })()")
+        smooth = browser.value(height)
+        self.assertGreater(smooth, 20)
+        browser.value("(() => { const s = sutureReport.scene, old = s.trace; s.trace = (row) => old(row).map((p, i) => "
+                      "(i === 5 ? { ...p, curvature: [3.4e15, 0.2] } : p)); sutureReport.table.show(0, false); })()")
+        self.assertGreater(browser.value(height), 0.5 * smooth)
+        self.assertIn("reaches 3.40e15", browser.value("document.querySelector('#plot .clipped').textContent"))
+
+    def test_parts_can_be_hidden(self):
+        made = with_freecad(
+            lambda app, part: part.makeCompound([part.makeBox(10, 10, 10), part.makeCylinder(5, 20, app.Vector(30, 0, 0))]),
+            self.folder)
+        step = self.folder / "two.step"
+        sys.path.append("/usr/lib/freecad-python3/lib")
+        import FreeCAD
+        import Import
+
+        document = FreeCAD.newDocument("two")
+        import Part
+        for i, solid in enumerate(Part.read(str(made)).Solids):
+            document.addObject("Part::Feature", f"Body{i}").Shape = solid
+        Import.export(document.Objects, str(step))
+        browser = self.open(step)
+        boxes = browser.value("document.querySelectorAll('#parts input').length")
+        self.assertGreaterEqual(boxes, 2)
+        triangles = "sutureReport.view.models[0].geometry.index.count"
+        every = browser.value(triangles)
+        self.assertGreater(browser.differing_pixels(lambda: browser.value(
+            "Array.from(document.querySelectorAll('#parts label')).find(l => l.textContent.includes('Body0')).querySelector('input').click()")), 0.01)
+        self.assertEqual(browser.value(triangles), every - 36)  # a box has 12 triangles
+        self.assertEqual(browser.value("sutureReport.view.hiddenEdges.size"), 12)
+
+    def test_everything_that_can_be_used_has_a_name(self):
+        browser = self.open("nacelle.stp")
+        self.assertEqual(browser.value(
+            "Array.from(document.querySelectorAll('button, input, select, canvas, [role=region], section[aria-label]')).filter(e => "
+            "!(e.ariaLabel || e.textContent.trim() || e.labels?.length || e.title)).map(e => e.outerHTML)"), [])
+
+
 class Pictures(Report):
     def shoot(self, *words):
         png = self.folder / "p.png"

@@ -90,7 +90,7 @@ class ManyFiles(unittest.TestCase):
         self.assertEqual([e["verdict"] for e in found["files"]], ["1 hole", "1 hole"])
         self.run_it("check", *names, "--summary", "c.json")
         self.assertEqual(len(json.loads((self.folder / "c.json").read_text())["files"]), 2)
-        self.run_it("convert", *names, "--out-dir", "meshes", "--to", ".stl")
+        self.run_it("convert", *names, "--out-dir", "meshes", "--to", ".stl", "--open-ok")
         self.assertGreater((self.folder / "meshes/suitcase_corner.stl").stat().st_size, 1000)
 
     def test_lists_of_numbers_are_no_files(self):
