@@ -20,11 +20,13 @@ constexpr double kLeastDeflection = 1e-7;
 constexpr CommandHelp kHelp{
     "Convert a model to another format, or to a mesh",
     "Convert a model to the format that the output's ending asks for: .step .stp, .iges .igs, "
-    ".brep (and FreeCAD's .bin), or as a watertight mesh .stl .off .obj .3mf, for OpenSCAD's "
+    ".brep (and FreeCAD's .bin), or as a watertight mesh .stl .off .obj .3mf .glb, for OpenSCAD's "
     "import() and 3D printing. Names, colours and the assembly tree stay where the format has a "
     "place for them.",
     "  suture convert part.igs part.step --sew      loose faces become shells and solids\n"
-    "  suture convert part.step part.3mf            a mesh for printing\n"
+    "  suture convert part.step part.3mf            a mesh for printing, with its parts and "
+    "colours\n"
+    "  suture convert part.step part.glb            for viewers in browsers and for rendering\n"
     "  suture convert part.step part.stl --deflection 0.01\n"
     "Exit codes: 0 done, 4 the mesh is written, but open, 2 the file cannot be read, 1 wrong "
     "usage,\n"
@@ -58,29 +60,26 @@ Result<void> validate(Command& command, ConvertOptions& options) {
     return {};
 }
 
-/// The mesh that was written; none of other formats.
-Result<std::optional<io::Mesh>> write(const io::ModelFile& model, const ConvertOptions& options) {
+/// What is to be said of the mesh that was written; nothing of other formats.
+Result<std::optional<io::MeshFacts>> write(const io::ModelFile& model,
+                                           const ConvertOptions& options) {
     if (!io::is_mesh(options.format)) {
         return io::write_model(model, options.output, options.format, {}).map([](const auto&) {
-            return std::optional<io::Mesh>();
+            return std::optional<io::MeshFacts>();
         });
     }
-    Result<io::Mesh> mesh = io::make_mesh(model.shape(), to_io(options.mesh));
-    return std::move(mesh).and_then([&](io::Mesh&& made) {
-        return io::write_mesh(made, options.output, options.format).map([&] {
-            return std::optional<io::Mesh>(std::move(made));
-        });
-    });
+    return io::write_mesh(model, options.output, options.format, to_io(options.mesh))
+        .map([](const io::MeshFacts& facts) { return std::optional(facts); });
 }
 
 /// What a user has to know of a mesh.
-void tell_mesh(const io::Mesh& mesh, const ConvertOptions& options, Outcome& outcome) {
-    outcome.document["mesh"] = {{"triangles", mesh.triangles.size()},
-                                {"points", mesh.points.size()},
+void tell_mesh(const io::MeshFacts& mesh, const ConvertOptions& options, Outcome& outcome) {
+    outcome.document["mesh"] = {{"triangles", mesh.triangles},
+                                {"points", mesh.points},
                                 {"deflection", mesh.deflection},
                                 {"needles_removed", mesh.needles},
                                 {"open_edges", mesh.open_edges}};
-    outcome.verdict += fmt::format(", {} triangles", mesh.triangles.size());
+    outcome.verdict += fmt::format(", {} triangles", mesh.triangles);
     const double wanted = options.mesh.deflection.value_or(mesh.deflection);
     if (mesh.deflection > wanted) {
         outcome.verdict += fmt::format(
@@ -109,7 +108,7 @@ Result<Outcome> convert(Run& run, const Command& command, const ConvertOptions& 
     const Stopwatch watch;
     const Progress progress =
         run.stage(Stage::Writing, "writing " + options.output.filename().string(), kLoaded, 1.0);
-    const Result<std::optional<io::Mesh>> written = write(model->file, options);
+    const Result<std::optional<io::MeshFacts>> written = write(model->file, options);
     if (!written) {
         return tl::unexpected(written.error());
     }

@@ -403,7 +403,7 @@ std::shared_ptr<Command> add_filling(CLI::App& app, const std::string& name,
     add_input(*command);
     CLI::App& sub = *command->app;
     sub.add_option("-o,--output", options->output,
-                   "The file to write: .step .iges .brep, or a mesh .stl .off .obj .3mf")
+                   "The file to write: .step .iges .brep, or a mesh .stl .off .obj .3mf .glb")
         ->required()
         ->option_text("OUT");
     sub.add_flag("--force", options->force, "Allow OUT to be IN itself");

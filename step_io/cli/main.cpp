@@ -42,7 +42,7 @@ namespace {
 
 constexpr const char* kAbout =
     "Suture closes the holes of a CAD model with smooth faces.\n"
-    "It reads STEP, IGES and BREP, and writes these and meshes (STL, OFF, OBJ, 3MF).";
+    "It reads STEP, IGES and BREP, and writes these and meshes (STL, OFF, OBJ, 3MF, glTF).";
 
 constexpr const char* kFooter =
     "First steps:\n"

@@ -17,7 +17,7 @@ namespace {
 /// How many bytes of either end are looked at: room for a licence text in front of a STEP header.
 constexpr std::size_t kEnds = 4096;
 
-constexpr std::array<std::pair<std::string_view, Format>, 13> kExtensions{{
+constexpr std::array<std::pair<std::string_view, Format>, 14> kExtensions{{
     {".step", Format::Step},
     {".stp", Format::Step},
     {".p21", Format::Step},
@@ -31,6 +31,7 @@ constexpr std::array<std::pair<std::string_view, Format>, 13> kExtensions{{
     {".off", Format::Off},
     {".obj", Format::Obj},
     {".3mf", Format::ThreeMf},
+    {".glb", Format::Gltf},
 }};
 
 std::string_view skip_blanks_and_comments(std::string_view text) {
@@ -89,13 +90,15 @@ std::string_view to_string(Format format) {
             return "OBJ";
         case Format::ThreeMf:
             return "3MF";
+        case Format::Gltf:
+            return "glTF";
     }
     return "";
 }
 
 bool is_mesh(Format format) {
     return format == Format::Stl || format == Format::Off || format == Format::Obj ||
-           format == Format::ThreeMf;
+           format == Format::ThreeMf || format == Format::Gltf;
 }
 
 Result<Format> format_of_bytes(std::string_view bytes, const std::filesystem::path& file) {

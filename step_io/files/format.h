@@ -17,7 +17,8 @@ enum class Format {
     Stl,
     Off,
     Obj,
-    ThreeMf,  ///< meshes, for writing only
+    ThreeMf,
+    Gltf,  ///< .glb; meshes, for writing only
 };
 
 /// What some editors put in front of UTF-8.

@@ -80,6 +80,7 @@ class MeshSewer {
             std::array<int, 3> node{};
             grid->Triangle(i).Get(node[0], node[reversed ? 2 : 1], node[reversed ? 1 : 2]);
             auto& triangle = triangles_.emplace_back();
+            faces_.push_back(static_cast<std::uint32_t>(numbers_.of(face)));
             for (std::size_t k = 0; k < node.size(); ++k) {
                 triangle[k] = first + static_cast<std::uint32_t>(node[k] - 1);
             }
@@ -127,10 +128,12 @@ class MeshSewer {
             }
             return number[set];
         };
-        for (const auto& [a, b, c] : triangles_) {
+        for (std::size_t i = 0; i < triangles_.size(); ++i) {
+            const auto& [a, b, c] = triangles_[i];
             const std::array set{sets_.find(a), sets_.find(b), sets_.find(c)};
             if (set[0] != set[1] && set[1] != set[2] && set[2] != set[0]) {
                 result.triangles.push_back({number_of(a), number_of(b), number_of(c)});
+                result.faces.push_back(faces_[i]);
             }
         }
         return result;
@@ -188,6 +191,7 @@ class MeshSewer {
     PointSets sets_;
     std::vector<Point> points_;
     std::vector<std::array<std::uint32_t, 3>> triangles_;
+    std::vector<std::uint32_t> faces_;
     std::vector<std::vector<std::uint32_t>> edge_points_;
     std::vector<std::uint32_t> vertex_points_;
 };
@@ -218,12 +222,7 @@ namespace {
 /// All faces with one deflection, so that those that share an edge share its points.
 Result<Mesh> mesh_once(const TopoDS_Shape& shape, double deflection, double angle) {
     const TopoDS_Shape copy = BRepBuilderAPI_Copy(shape, false, false).Shape();
-    IMeshTools_Parameters parameters;
-    parameters.Deflection = deflection;
-    parameters.Angle = angle;
-    parameters.InParallel = true;
-    parameters.AllowQualityDecrease = true;
-    const BRepMesh_IncrementalMesh mesher(copy, parameters);
+    triangulate(copy, deflection, angle);
     return sew_mesh(copy);
 }
 
@@ -240,19 +239,32 @@ double least_height(const Mesh& mesh) {
 
 }  // namespace
 
+void triangulate(const TopoDS_Shape& shape, double deflection, double angle) {
+    IMeshTools_Parameters parameters;
+    parameters.Deflection = deflection;
+    parameters.Angle = angle;
+    parameters.InParallel = true;
+    parameters.AllowQualityDecrease = true;
+    const BRepMesh_IncrementalMesh mesher(shape, parameters);
+}
+
+double usual_deflection(const TopoDS_Shape& shape) {
+    return kRelativeDeflection * occ::diagonal(shape);
+}
+
 Result<Mesh> make_mesh(const TopoDS_Shape& shape, const MeshOptions& options) {
     return occ::guarded("meshing", [&]() -> Result<Mesh> {
-        const double wanted = options.deflection > 0.0 ? options.deflection
-                                                       : kRelativeDeflection * occ::diagonal(shape);
+        const double wanted =
+            options.deflection > 0.0 ? options.deflection : usual_deflection(shape);
         // OCCT fails on a face with one deflection and not with another. Other points on its
         // edges are other points on its neighbours' too, and so on: all of it is meshed again.
         std::optional<Error> first_error;
         for (const double factor : {1.0, 0.5, 2.0, 0.25, 4.0, 0.1}) {
             Result<Mesh> mesh = mesh_once(shape, factor * wanted, options.angular_deflection);
             if (mesh) {
-                mesh->deflection = factor * wanted;
-                mesh->needles = remove_needles(*mesh, least_height(*mesh));
-                mesh->open_edges = count_open_edges(*mesh);
+                const int needles = remove_needles(*mesh, least_height(*mesh));
+                mesh->facts = {factor * wanted, needles, count_open_edges(*mesh),
+                               mesh->triangles.size(), mesh->points.size()};
                 return mesh;
             }
             if (!first_error) {

@@ -17,14 +17,22 @@ struct MeshOptions {
     double angular_deflection = 0.35;  ///< radians between neighbouring facets
 };
 
+/// What is to be said of a mesh.
+struct MeshFacts {
+    double deflection = 0.0;     ///< with which it was made
+    int needles = 0;             ///< triangles without height that were taken out
+    std::size_t open_edges = 0;  ///< edges of triangles with no triangle beyond: 0 if it is closed
+    std::size_t triangles = 0;
+    std::size_t points = 0;
+};
+
 /// Triangles over shared points. Where two faces share an edge they share its points too, so the
 /// mesh of a closed shell is watertight: every directed edge has its opposite exactly once.
 struct Mesh {
     std::vector<std::array<double, 3>> points;
     std::vector<std::array<std::uint32_t, 3>> triangles;  ///< anticlockwise seen from outside
-    double deflection = 0.0;                              ///< with which it was made
-    int needles = 0;             ///< triangles without height that were taken out
-    std::size_t open_edges = 0;  ///< edges of triangles with no triangle beyond: 0 if it is closed
+    std::vector<std::uint32_t> faces;                     ///< of each triangle, FaceN of the shape
+    MeshFacts facts;
 };
 
 /// Meshes a copy of the shape, all faces in parallel; the shape itself is left without triangles.
@@ -34,12 +42,15 @@ struct Mesh {
 /// Refuses  (Internal) a face that OCCT cannot mesh with any of these, by its number.
 [[nodiscard]] Result<Mesh> make_mesh(const TopoDS_Shape& shape, const MeshOptions& options);
 
+/// The deflection that is used where none is asked for: a thousandth of the diagonal.
+[[nodiscard]] double usual_deflection(const TopoDS_Shape& shape);
+
+/// Has OCCT mesh the shape itself, all faces with one deflection, so that those that share an edge
+/// share its points.
+void triangulate(const TopoDS_Shape& shape, double deflection, double angle);
+
 /// A mesh as a file. Lengths are millimetres.
 [[nodiscard]] Result<void> write_stl(const Mesh& mesh, std::ostream& stream);
 [[nodiscard]] Result<void> write_off(const Mesh& mesh, std::ostream& stream);
-[[nodiscard]] Result<void> write_obj(const Mesh& mesh, const std::string& name,
-                                     std::ostream& stream);
-[[nodiscard]] Result<void> write_3mf(const Mesh& mesh, const std::string& name,
-                                     std::ostream& stream);
 
 }  // namespace suture::io

@@ -157,7 +157,18 @@ class TriangleNet {
 
 /// Leaves out triangles that are gone, and points of none.
 void tidy(Mesh& mesh) {
-    std::erase_if(mesh.triangles, [](const Corners& c) { return c[0] == c[1]; });
+    std::size_t kept = 0;
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+        if (mesh.triangles[t][0] != mesh.triangles[t][1]) {
+            mesh.triangles[kept] = mesh.triangles[t];
+            if (!mesh.faces.empty()) {
+                mesh.faces[kept] = mesh.faces[t];
+            }
+            ++kept;
+        }
+    }
+    mesh.triangles.resize(kept);
+    mesh.faces.resize(mesh.faces.empty() ? 0 : kept);
     constexpr std::uint32_t kUnused = std::numeric_limits<std::uint32_t>::max();
     std::vector<std::uint32_t> number(mesh.points.size(), kUnused);
     std::vector<std::array<double, 3>> points;

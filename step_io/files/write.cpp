@@ -2,6 +2,8 @@
 
 #include "files/atomic_file.h"
 #include "files/brep.h"
+#include "files/gltf.h"
+#include "files/mesh_tree.h"
 #include "files/read.h"
 #include "files/write_iges.h"
 #include "files/write_step.h"
@@ -11,25 +13,59 @@ namespace suture::io {
 
 namespace {
 
-Result<void> write_mesh_content(const Mesh& mesh, const std::string& name, Format format,
-                                std::ostream& stream) {
-    switch (format) {
-        case Format::Off:
-            return write_off(mesh, stream);
-        case Format::Obj:
-            return write_obj(mesh, name, stream);
-        case Format::ThreeMf:
-            return write_3mf(mesh, name, stream);
-        default:
-            return write_stl(mesh, stream);
-    }
+/// The whole model as one mesh.
+Result<MeshFacts> write_one_mesh(const ModelFile& model, Format format, const MeshOptions& options,
+                                 std::ostream& stream) {
+    return make_mesh(model.shape(), options).and_then([&](const Mesh& mesh) {
+        const Result<void> written =
+            format == Format::Off ? write_off(mesh, stream) : write_stl(mesh, stream);
+        return written.map([&] { return mesh.facts; });
+    });
 }
 
-Result<void> write_content(const ModelFile& model, const std::string& name, Format format,
+/// With the tree of its parts, their names and colours.
+Result<MeshFacts> write_mesh_tree(const MeshTree& tree, const std::filesystem::path& file,
+                                  Format format, std::ostream& stream) {
+    if (format == Format::ThreeMf) {
+        return write_3mf(tree, stream).map([&] { return facts_of(tree); });
+    }
+    // Materials have a file of their own beside an OBJ file.
+    const std::filesystem::path materials = std::filesystem::path(file).replace_extension(".mtl");
+    Result<void> written;
+    if (!tree.colours.empty()) {
+        written =
+            write_atomically(materials, [&](std::ostream& out) { return write_mtl(tree, out); });
+    }
+    return written
+        .and_then([&] {
+            return write_obj(tree, tree.colours.empty() ? "" : materials.filename().string(),
+                             stream);
+        })
+        .map([&] { return facts_of(tree); });
+}
+
+Result<MeshFacts> write_mesh_content(const ModelFile& model, const std::filesystem::path& file,
+                                     Format format, const MeshOptions& options,
+                                     std::ostream& stream) {
+    if (format == Format::Stl || format == Format::Off) {
+        return write_one_mesh(model, format, options, stream);
+    }
+    if (format == Format::Gltf) {
+        return make_mesh(model.shape(), options).and_then([&](const Mesh& mesh) {
+            return write_gltf(model, {mesh.facts.deflection, options.angular_deflection}, stream)
+                .map([&] { return mesh.facts; });
+        });
+    }
+    return make_mesh_tree(model, options).and_then([&](const MeshTree& tree) {
+        return write_mesh_tree(tree, file, format, stream);
+    });
+}
+
+Result<void> write_content(const ModelFile& model, const std::filesystem::path& file, Format format,
                            const MeshOptions& options, std::ostream& stream) {
     switch (format) {
         case Format::Iges:
-            return write_iges(model, name, stream);
+            return write_iges(model, file.stem().string(), stream);
         case Format::BrepText:
             return write_brep_text(model.shape(), stream);
         case Format::BrepBinary:
@@ -37,9 +73,8 @@ Result<void> write_content(const ModelFile& model, const std::string& name, Form
         case Format::BrepFreecad:
             return write_brep_freecad(model.shape(), stream);
         default:
-            return make_mesh(model.shape(), options).and_then([&](const Mesh& mesh) {
-                return write_mesh_content(mesh, name, format, stream);
-            });
+            return write_mesh_content(model, file, format, options, stream)
+                .map([](const MeshFacts&) {});
     }
 }
 
@@ -70,7 +105,7 @@ Result<std::vector<StepId>> write_model(const ModelFile& model, const std::files
                     numbers = std::move(ids);
                 });
             }
-            return write_content(model, name, format, mesh, stream);
+            return write_content(model, file, format, mesh, stream);
         });
     };
     const auto look = [&](const std::filesystem::path& written) -> Result<void> {
@@ -84,12 +119,16 @@ Result<std::vector<StepId>> write_model(const ModelFile& model, const std::files
     return done.map([&] { return std::move(numbers); });
 }
 
-Result<void> write_mesh(const Mesh& mesh, const std::filesystem::path& file, Format format) {
-    return write_atomically(file, [&](std::ostream& stream) {
-        return occ::guarded("writing " + file.string(), [&] {
-            return write_mesh_content(mesh, file.stem().string(), format, stream);
+Result<MeshFacts> write_mesh(const ModelFile& model, const std::filesystem::path& file,
+                             Format format, const MeshOptions& options) {
+    MeshFacts facts;
+    const Result<void> done = write_atomically(file, [&](std::ostream& stream) {
+        return occ::guarded("writing " + file.string(), [&]() -> Result<void> {
+            return write_mesh_content(model, file, format, options, stream)
+                .map([&](const MeshFacts& told) { facts = told; });
         });
     });
+    return done.map([&] { return facts; });
 }
 
 }  // namespace suture::io

@@ -34,6 +34,7 @@ using Verify = std::function<Result<void>(const std::filesystem::path& written,
 /// Input    verify: instead of reading all of it again. Meshes are not read again.
 /// STEP keeps the schema and the unit of the input when that was STEP; AP214 and mm otherwise.
 /// Meshes (STL binary, OFF, OBJ, 3MF) are watertight: neighbouring faces share their edge points.
+/// OBJ, 3MF and glTF keep parts, names and colours, 3MF and glTF the assembly tree too.
 /// Result   for STEP, the entity numbers of the faces in `traced` (0: not known); else nothing.
 /// Refuses  (WriteFailed) a missing folder, no permission, a full disk; (Internal) a model that
 ///          cannot be read again; what verify refuses.
@@ -43,8 +44,9 @@ using Verify = std::function<Result<void>(const std::filesystem::path& written,
                                                       std::span<const TopoDS_Face> traced = {},
                                                       const Verify& verify = {});
 
-/// Writes a mesh in the same way.
-[[nodiscard]] Result<void> write_mesh(const Mesh& mesh, const std::filesystem::path& file,
-                                      Format format);
+/// Writes a mesh in the same way. OBJ has a file of materials beside it, if there are colours.
+[[nodiscard]] Result<MeshFacts> write_mesh(const ModelFile& model,
+                                           const std::filesystem::path& file, Format format,
+                                           const MeshOptions& options);
 
 }  // namespace suture::io

@@ -20,6 +20,7 @@ _FORMATS = [
     ("3MF", ".3mf"),
     ("OBJ", ".obj"),
     ("OFF", ".off"),
+    ("glTF", ".glb"),
 ]
 _MODELS = "*.step *.stp *.p21 *.iges *.igs *.brep *.brp"
 

@@ -29,9 +29,9 @@ class Schemas(Case):
         self.validated("inspect", part)
         self.validated("check", part)
         self.validated("fill", part, "-o", self.folder / "out.step")
-        for name in ("a.step", "a.iges", "a.brep", "a.stl", "a.3mf"):
+        for name in ("a.step", "a.iges", "a.brep", "a.stl", "a.3mf", "a.glb"):
             document = self.validated("convert", part, self.folder / name)
-            self.assertEqual("mesh" in document, name in ("a.stl", "a.3mf"))
+            self.assertEqual("mesh" in document, name in ("a.stl", "a.3mf", "a.glb"))
         self.validated("methods")
         if CAD.is_dir():
             for name in ("goteborg.iges", "bearing.iges"):

@@ -22,6 +22,7 @@ TEST(Format, OfAnOutputIsToldByItsExtension) {
     EXPECT_EQ(format_of_extension("c.brep"), Format::BrepText);
     EXPECT_EQ(format_of_extension("c.bin"), Format::BrepFreecad);
     EXPECT_EQ(format_of_extension("c.3mf"), Format::ThreeMf);
+    EXPECT_EQ(format_of_extension("c.GLB"), Format::Gltf);
     const Result<Format> unknown = format_of_extension("step");
     ASSERT_FALSE(unknown);
     EXPECT_EQ(unknown.error().code, ErrorCode::Usage);

@@ -253,8 +253,8 @@ TEST(Mesh, OfAnOpenShellSaysHowManyEdgesAreOpen) {
     for (face.Next(); face.More(); face.Next()) {
         builder.Add(shell, face.Current());
     }
-    EXPECT_EQ(mesh_of(shell, 0.1).open_edges, 4U);
-    EXPECT_EQ(mesh_of(BRepPrimAPI_MakeBox(30, 20, 5).Shape(), 0.1).open_edges, 0U);
+    EXPECT_EQ(mesh_of(shell, 0.1).facts.open_edges, 4U);
+    EXPECT_EQ(mesh_of(BRepPrimAPI_MakeBox(30, 20, 5).Shape(), 0.1).facts.open_edges, 0U);
 }
 
 TEST(Mesh, IsMadeFinerOrCoarserWhereOcctFailsOnAFace) {
@@ -262,7 +262,7 @@ TEST(Mesh, IsMadeFinerOrCoarserWhereOcctFailsOnAFace) {
     const TopoDS_Shape shape = read(cad("lower_leg_structure_base.STEP")).shape();
     const double wanted = 1e-3 * occ::diagonal(shape);  // face 98 fails with it
     const Mesh mesh = mesh_of(shape, wanted);
-    EXPECT_NE(mesh.deflection, wanted);
+    EXPECT_NE(mesh.facts.deflection, wanted);
     EXPECT_EQ(open_edges(mesh), 0);
     EXPECT_GT(volume(mesh), 0.0);
 }

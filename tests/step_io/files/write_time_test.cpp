@@ -62,7 +62,8 @@ TEST(WriteTime, MakesTheSameBytesInEveryFormat) {
          {std::pair(Format::Step, "a.step"), std::pair(Format::Iges, "a.iges"),
           std::pair(Format::BrepText, "a.brep"), std::pair(Format::BrepFreecad, "a.bin"),
           std::pair(Format::Stl, "a.stl"), std::pair(Format::Off, "a.off"),
-          std::pair(Format::Obj, "a.obj"), std::pair(Format::ThreeMf, "a.3mf")}) {
+          std::pair(Format::Obj, "a.obj"), std::pair(Format::ThreeMf, "a.3mf"),
+          std::pair(Format::Gltf, "a.glb")}) {
         std::string early;
         {
             const Epoch epoch("951827696");
