@@ -1,5 +1,6 @@
 #include "cli/arguments.h"
 #include "cli/fill_model.h"
+#include "cli/fill_page.h"
 #include "cli/fill_report.h"
 #include "cli/methods.h"
 #include "cli/options.h"
@@ -54,8 +55,9 @@ Result<std::vector<fs::path>> find_examples() {
 /// The table and the document of all fills.
 class DemoReport {
   public:
+    /// scene: of the fill's page; empty if nothing is filled
     void add(const fs::path& example, std::string_view method, const fs::path& output,
-             const FillSummary& summary) {
+             const FillSummary& summary, const std::string& scene) {
         const Json holes = holes_of(summary);
         for (std::size_t i = 0; i < summary.holes.size(); ++i) {
             const HoleReport& hole = summary.holes[i];
@@ -64,6 +66,7 @@ class DemoReport {
             }
             const bool filled = hole.status == FillStatus::Filled;
             add_row(example, method, hole, summary.sides[i], filled);
+            add_picture(example, method, hole, scene);
             Json entry{{"example", example.filename().string()},
                        {"output", filled ? Json(output.string()) : Json()},
                        {"closed", summary.validity.closed},
@@ -92,7 +95,27 @@ class DemoReport {
 
     void count_file() { ++files_; }
 
+    [[nodiscard]] const std::vector<GalleryItem>& pictures() const { return pictures_; }
+
   private:
+    void add_picture(const fs::path& example, std::string_view method, const HoleReport& hole,
+                     const std::string& scene) {
+        GalleryItem item;
+        item.group = example.stem().string();
+        item.name = method;
+        item.good = hole.status == FillStatus::Filled && hole.verdict.within();
+        item.caption =
+            hole.status == FillStatus::Filled
+                ? fmt::format("{}{}, gap {} mm, angle {}°, {}: {} s",
+                              method == "auto" ? hole.method_used + ", " : "",
+                              to_string(hole.continuity_reached), short_number(hole.max_gap),
+                              short_number(degrees(hole.max_angle)),
+                              to_string(hole.verdict.severity), fmt::format("{:.2f}", hole.seconds))
+                : hole.reason;
+        item.scene = hole.status == FillStatus::Filled ? scene : "";
+        pictures_.push_back(std::move(item));
+    }
+
     void add_row(const fs::path& example, std::string_view method, const HoleReport& hole,
                  int sides, bool filled) {
         const std::string result =
@@ -117,6 +140,7 @@ class DemoReport {
     Table table_{
         {"example", ">sides", "method", "reached", ">gap [mm]", ">angle [deg]", ">s", "result"}};
     Table best_{table_};  ///< what `auto` made: a screen has no room for all
+    std::vector<GalleryItem> pictures_;
     Json fills_ = Json::array();
     int files_ = 0;
     bool complete_ = true;
@@ -137,8 +161,16 @@ Result<void> fill_example(Run& run, const fs::path& example, std::string_view me
     if (!summary) {
         return tl::unexpected(summary.error());
     }
-    report.add(example, method, settings.output, *summary);
+    std::string scene;
     if (anything_filled(*summary)) {
+        Result<std::string> drawn = fill_scene(*summary, settings.request.tolerance, {});
+        if (!drawn) {
+            return tl::unexpected(drawn.error());
+        }
+        scene = std::move(*drawn);
+    }
+    report.add(example, method, settings.output, *summary, scene);
+    if (!scene.empty()) {
         report.count_file();
     } else {
         std::error_code ignored;
@@ -167,9 +199,10 @@ Result<Outcome> demo(Run& run, const Command& command, const fs::path& out) {
             }
         }
     }
+    const std::vector<GalleryItem> pictures = report.pictures();
     Outcome outcome = std::move(report).outcome(out, watch.seconds());
     const std::pair<const char*, std::string> files[] = {
-        {"report.html", html_report(command, outcome)},
+        {"report.html", gallery_report(command, outcome, pictures)},
         {"report.json", to_text(whole_document(command, outcome))}};
     for (const auto& [name, text] : files) {
         const Result<void> written = write_text_file(out / name, text);

@@ -35,17 +35,22 @@ Result<report::SceneInput> measured_scene(const FillSummary& summary, const Tole
 
 }  // namespace
 
+Result<std::string> fill_scene(const FillSummary& summary, const Tolerance& tolerance,
+                               const Progress& progress) {
+    return measured_scene(summary, tolerance, progress)
+        .and_then(
+            [&](const report::SceneInput& input) { return report::make_scene(input, progress); });
+}
+
 void add_fill_page(const Command& command, const std::shared_ptr<const FillSummary>& summary,
                    const Tolerance& tolerance, Outcome& outcome) {
     outcome.reports[".html"] =
         [&command, summary, tolerance,
          shown = std::make_shared<Outcome>(outcome)](Run& run) -> Result<std::string> {
         const Progress progress = run.stage(Stage::Checking, "drawing the model", 0.9, 1.0);
-        return measured_scene(*summary, tolerance, progress)
-            .and_then([&](const report::SceneInput& input) {
-                return report::make_scene(input, progress);
-            })
-            .map([&](const std::string& scene) { return html_report(command, *shown, scene); });
+        return fill_scene(*summary, tolerance, progress).map([&](const std::string& scene) {
+            return html_report(command, *shown, scene);
+        });
     };
 }
 

@@ -7,8 +7,12 @@
 
 namespace suture::cli {
 
-/// Lets the HTML report of `fill` show the model before and after, and every edge of the filled one
-/// in memory with its figures, measured when the report is asked for.
+/// The scene of a fill's page (report::make_scene): the model before and after, and every edge of
+/// the filled one in memory with its figures.
+[[nodiscard]] Result<std::string> fill_scene(const FillSummary& summary, const Tolerance& tolerance,
+                                             const Progress& progress);
+
+/// Lets the HTML report of `fill` show this scene, measured when the report is asked for.
 void add_fill_page(const Command& command, const std::shared_ptr<const FillSummary>& summary,
                    const Tolerance& tolerance, Outcome& outcome);
 

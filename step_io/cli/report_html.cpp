@@ -53,12 +53,17 @@ std::string html_of(const Section& section) {
     return html;
 }
 
-}  // namespace
+constexpr std::string_view kNoScript =
+    "<noscript><p>The 3D view and the table of edges need JavaScript.</p></noscript>\n";
 
-std::string html_report(const Command& command, const Outcome& outcome, std::string_view scene) {
-    if (report::viewer_script().empty()) {
-        scene = {};  // built without it (SUTURE_REPORT=OFF)
-    }
+/// What stands between head and end: the pictures or nothing, then the tables.
+struct Page {
+    std::string_view pictures;
+    std::string_view scenes;  ///< script elements; empty: a page without the viewer
+};
+
+std::string html_of(const Command& command, const Outcome& outcome, const Page& page) {
+    const bool alive = !page.scenes.empty();
     const std::string file = escape_markup(command.input.filename().string());
     const std::string title = fmt::format("suture {}", command.name);
     std::string html = fmt::format(
@@ -66,14 +71,15 @@ std::string html_report(const Command& command, const Outcome& outcome, std::str
         "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
         "<title>{}{}{}</title>\n<style>{}</style>\n</head>\n<body>\n",
         title, file.empty() ? "" : ": ", file,
-        scene.empty() ? kStyle : std::string_view(report::viewer_style()));
+        alive ? std::string_view(report::viewer_style()) : kStyle);
     html += fmt::format("<h1>{}</h1>\n<p class=\"file\">{}</p>\n", title,
                         escape_markup(command.input.string()));
     html += fmt::format("<p class=\"verdict{}\">{}</p>\n",
                         outcome.exit_code == kDone ? "" : " warn", escape_markup(outcome.verdict));
+    html += page.pictures;
     html += "<div id=\"report\">\n";
     for (const Section& section : outcome.sections) {
-        if (scene.empty() || !section.of_edges) {
+        if (!alive || !section.of_edges) {
             html += html_of(section);
         }
     }
@@ -81,14 +87,70 @@ std::string html_report(const Command& command, const Outcome& outcome, std::str
         "<footer>Suture {}. Lengths in millimetres, angles in degrees. Edge and face numbers are "
         "those of FreeCAD (Edge1, Face1).</footer>\n</div>\n",
         SUTURE_VERSION);
-    if (!scene.empty()) {
-        html +=
-            "<noscript><p>The 3D view and the table of edges need JavaScript.</p></noscript>\n"
-            "<script type=\"application/json\" id=\"suture-scene\">";
-        html += scene;
-        html += "</script>\n<script>" + report::viewer_script() + "</script>\n";
+    if (alive) {
+        html += kNoScript;
+        html += page.scenes;
+        html += "<script>" + report::viewer_script() + "</script>\n";
     }
     return html + "</body>\n</html>\n";
+}
+
+std::string figure_of(const GalleryItem& item, const std::string& id) {
+    const std::string name = escape_markup(item.name);
+    std::string html =
+        fmt::format("<figure{} data-scene=\"{}\"><a href=\"#{}\" aria-label=\"Open {} of {}\">",
+                    item.good ? " class=\"good\"" : "", id, id, name, escape_markup(item.group));
+    for (const char* shading : {"shaded", "zebra"}) {
+        html += fmt::format("<img data-shading=\"{0}\" alt=\"{1}, {0}\">", shading, name);
+    }
+    return html + fmt::format("</a><figcaption><b>{}</b> {}</figcaption></figure>\n", name,
+                              escape_markup(item.caption));
+}
+
+}  // namespace
+
+std::string html_report(const Command& command, const Outcome& outcome, std::string_view scene) {
+    if (scene.empty() || report::viewer_script().empty()) {  // built with SUTURE_REPORT=OFF
+        return html_of(command, outcome, {});
+    }
+    const std::string element =
+        fmt::format("<script type=\"application/json\" id=\"suture-scene\">{}</script>\n", scene);
+    return html_of(command, outcome, {{}, element});
+}
+
+std::string gallery_report(const Command& command, const Outcome& outcome,
+                           const std::vector<GalleryItem>& items) {
+    if (report::viewer_script().empty()) {
+        return html_of(command, outcome, {});
+    }
+    std::string pictures = "<div id=\"gallery\">\n";
+    std::string scenes;
+    for (std::size_t i = 0; i < items.size();) {
+        const std::string& group = items[i].group;
+        std::string figures;
+        std::string refused;
+        for (; i < items.size() && items[i].group == group; ++i) {
+            const GalleryItem& item = items[i];
+            if (item.scene.empty()) {
+                refused += fmt::format("<li>{}: {}</li>\n", escape_markup(item.name),
+                                       escape_markup(item.caption));
+                continue;
+            }
+            const std::string id = escape_markup(fmt::format("{}.{}", group, item.name));
+            figures += figure_of(item, id);
+            scenes += fmt::format(
+                "<script type=\"application/json\" class=\"suture-scene\" id=\"scene:{}\" "
+                "data-title=\"{}\">{}</script>\n",
+                id, escape_markup(fmt::format("{}, {}: {}", group, item.name, item.caption)),
+                item.scene);
+        }
+        pictures += fmt::format(
+            "<section><h2>{}</h2>\n<div class=\"cards\">\n{}</div>\n<details class=\"refused\">"
+            "<summary>Methods that refuse</summary><ul>\n{}</ul></details></section>\n",
+            escape_markup(group), figures, refused);
+    }
+    pictures += "</div>\n";
+    return html_of(command, outcome, {pictures, scenes});
 }
 
 }  // namespace suture::cli

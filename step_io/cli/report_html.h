@@ -4,6 +4,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace suture::cli {
 
@@ -14,5 +15,18 @@ namespace suture::cli {
 ///        edges in a table of its own instead of in that of their section.
 [[nodiscard]] std::string html_report(const Command& command, const Outcome& outcome,
                                       std::string_view scene = {});
+
+/// One of the pictures of a gallery, and the page that it opens.
+struct GalleryItem {
+    std::string group;  ///< those that stand together
+    std::string name;   ///< within the group
+    std::string caption;
+    bool good = false;
+    std::string scene;  ///< empty: no picture, the caption says why
+};
+
+/// The same with pictures, which the page draws itself; each opens its scene in the same page.
+[[nodiscard]] std::string gallery_report(const Command& command, const Outcome& outcome,
+                                         const std::vector<GalleryItem>& items);
 
 }  // namespace suture::cli

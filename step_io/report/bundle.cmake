@@ -11,7 +11,7 @@ add_custom_command(
 add_custom_command(
     OUTPUT viewer.js viewer.css
     COMMAND ${CMAKE_COMMAND} -E env NODE_PATH=${node}/node_modules ${node}/node_modules/.bin/esbuild
-            main.js style.css --bundle --minify --format=iife --target=es2020 --charset=utf8
+            entry.js style.css --bundle --minify --format=iife --target=es2020 --charset=utf8
             --legal-comments=inline --log-level=warning --entry-names=../viewer
             --outdir=${CMAKE_CURRENT_BINARY_DIR}/esbuild
     DEPENDS ${sources} ${node}/installed

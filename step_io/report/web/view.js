@@ -5,13 +5,14 @@ import { LineSegments2 } from 'three/addons/lines/LineSegments2.js';
 import { LineMaterial } from 'three/addons/lines/LineMaterial.js';
 import { LineSegmentsGeometry } from 'three/addons/lines/LineSegmentsGeometry.js';
 import { CATEGORIES } from './scene.js';
+import { ISO, distanceFor, towardsNewFaces } from './framing.js';
 import { combs, deviation } from './hairs.js';
 import { edgeAt } from './picking.js';
 import { MEASURES, MODES, makeFaceGeometry, makeFaceMaterial } from './shading.js';
 
 /** Directions from the model to the eye, z upwards. */
 const DIRECTIONS = {
-  iso: [1, -1.2, 0.8], front: [0, -1, 0], back: [0, 1, 0], left: [-1, 0, 0], right: [1, 0, 0],
+  iso: ISO, front: [0, -1, 0], back: [0, 1, 0], left: [-1, 0, 0], right: [1, 0, 0],
   top: [0, -1e-3, 1], bottom: [0, -1e-3, -1],
 };
 const WORST_POINTS = 20;
@@ -348,15 +349,7 @@ export class View {
 
   /** Where to look from first: from where the new faces are seen, if there are any. */
   home() {
-    const sum = new THREE.Vector3();
-    const { first, corners, normals } = this.data.models[0] ?? {};
-    for (const face of this.data.newFaces) {
-      for (let i = 3 * first[face - 1]; i < 3 * first[face]; ++i) {
-        sum.add(new THREE.Vector3().fromArray(normals, 3 * corners[i]));
-      }
-    }
-    const iso = new THREE.Vector3(...DIRECTIONS.iso).normalize();
-    return sum.length() < 1e-6 ? 'iso' : sum.normalize().addScaledVector(iso, 0.25).toArray();
+    return towardsNewFaces(this.data)?.toArray() ?? 'iso';
   }
 
   look(direction) {
@@ -385,11 +378,7 @@ export class View {
     return found;
   }
 
-  distanceFor(radius) {
-    const half = (this.camera.fov * Math.PI) / 360;
-    const aspect = Math.min(this.camera.aspect, 1);
-    return radius / Math.sin(Math.atan(Math.tan(half) * aspect));
-  }
+  distanceFor(radius) { return distanceFor(this.camera, radius); }
 
   /** Moves so that an edge is seen from the side to which its faces look. */
   lookAtEdge(row, at_once = false) {
