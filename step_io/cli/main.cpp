@@ -10,6 +10,7 @@
 #include "cli/report_json.h"
 #include "cli/sandbox.h"
 #include "cli/sew.h"
+#include "cli/standard_input.h"
 #include "cli/text_file.h"
 #include "cli/usage.h"
 #include "files/atomic_file.h"
@@ -159,8 +160,10 @@ void lack(const std::vector<std::string>& parts, Outcome& outcome) {
 SandboxPaths paths_of(const Command& command) {
     SandboxPaths paths;
     paths.read = command.more_inputs;
-    paths.read.push_back(io::followed(command.input).parent_path());
-    paths.read.push_back(command.input.has_parent_path() ? command.input.parent_path() : ".");
+    if (command.input != io::kStandardInput) {
+        paths.read.push_back(io::followed(command.input).parent_path());
+        paths.read.push_back(command.input.has_parent_path() ? command.input.parent_path() : ".");
+    }
     std::error_code ignored;
     paths.write.push_back(std::filesystem::temp_directory_path(ignored));
     for (const auto* files : {&command.outputs, &command.common.reports}) {
@@ -245,7 +248,8 @@ std::uint64_t memory_limit(const Command& command) {
 
 /// What is said of a job that did not end by itself.
 Error error_of(const Command& command, const Ending& ending, const std::string& written) {
-    const std::string file = command.input.empty() ? "demo" : command.input.string();
+    const std::string file =
+        command.input.empty() ? "demo" : io::shown_name(command.input).string();
     const bool reading = ending.stage == Stage::Reading;
     switch (ending.kind) {
         case Ending::Kind::Crashed:
@@ -308,6 +312,12 @@ std::chrono::milliseconds milliseconds(double seconds) {
 }
 
 int supervised(Command& command) {
+    if (command.input == io::kStandardInput) {
+        if (const Result<void> kept = keep_standard_input(); !kept) {
+            return print_failure(command, kept.error(), exit_code(kept.error().code),
+                                 print_to_stdout);
+        }
+    }
     const JobLimits limits{milliseconds(command.common.read_timeout),
                            milliseconds(command.common.timeout), memory_limit(command)};
     const PictureBroker broker(command);

@@ -88,8 +88,10 @@ std::shared_ptr<Command> add_command(CLI::App& app, const std::string& name,
 
 void add_input(Command& command) {
     command.app
-        ->add_option("IN", command.input,
-                     "The model: STEP, IGES, BREP or FreeCAD's binary BREP; told by its content")
+        ->add_option(
+            "IN", command.input,
+            "The model: STEP, IGES, BREP or FCStd, packed ones too, told by its content; - is "
+            "standard input")
         ->required()
         ->option_text(" ");
     command.app

@@ -1,5 +1,8 @@
 #include "files/file_bytes.h"
 
+#include <unistd.h>
+
+#include <algorithm>
 #include <cerrno>
 #include <fstream>
 #include <system_error>
@@ -54,9 +57,37 @@ Result<std::string> read_some(OpenFile& file, const fs::path& path, std::size_t 
     return bytes;
 }
 
+Result<std::string> read_standard_input(std::size_t most) {
+    constexpr std::size_t kStep = std::size_t{1} << 20U;
+    lseek(STDIN_FILENO, 0, SEEK_SET);  // fails of a pipe, which stands at its beginning
+    std::string bytes;
+    while (bytes.size() <= most) {
+        const std::size_t filled = bytes.size();
+        bytes.resize(filled + kStep);
+        const ssize_t n = read(STDIN_FILENO, bytes.data() + filled, kStep);
+        bytes.resize(filled + static_cast<std::size_t>(std::max<ssize_t>(n, 0)));
+        if (n < 0 && errno != EINTR) {
+            return fail(ErrorCode::Unreadable, "standard input cannot be read: {}",
+                        std::generic_category().message(errno));
+        }
+        if (n == 0) {
+            return bytes.empty() ? fail(ErrorCode::Unreadable, "standard input is empty")
+                                 : Result<std::string>(std::move(bytes));
+        }
+    }
+    return fail(ErrorCode::Unreadable, "standard input has more than the {} bytes allowed", most);
+}
+
 }  // namespace
 
+fs::path shown_name(const fs::path& file) {
+    return file == kStandardInput ? fs::path("standard input") : file;
+}
+
 Result<std::string> read_bytes(const fs::path& file, std::size_t most) {
+    if (file == kStandardInput) {
+        return read_standard_input(most);
+    }
     return open_file(file).and_then([&](OpenFile opened) -> Result<std::string> {
         if (opened.size > most) {
             return fail(ErrorCode::Unreadable, "{} has {} bytes, more than the {} allowed",
@@ -67,6 +98,9 @@ Result<std::string> read_bytes(const fs::path& file, std::size_t most) {
 }
 
 Result<std::string> read_ends(const fs::path& file, std::size_t ends) {
+    if (file == kStandardInput) {
+        return read_bytes(file);
+    }
     return open_file(file).and_then([&](OpenFile opened) {
         const bool whole = opened.size <= 2 * ends;
         return read_some(opened, file, whole ? opened.size : ends, whole ? 0 : ends);

@@ -40,7 +40,7 @@ Result<void> read_brep(ModelFile& model, const std::string& bytes) {
 /// What a file holds.
 struct FileContents {
     std::string text;
-    bool unpacked = false;
+    bool elsewhere = false;  ///< than in a file by itself: in a packed one, or piped in
 };
 
 Result<FileContents> read_contents(const std::filesystem::path& file) {
@@ -49,7 +49,7 @@ Result<FileContents> read_contents(const std::filesystem::path& file) {
         return tl::unexpected(bytes.error());
     }
     if (!is_packed(*bytes)) {
-        return FileContents{*std::move(bytes), false};
+        return FileContents{*std::move(bytes), file == kStandardInput};
     }
     return unpack(*std::move(bytes), file).map([](std::string&& text) {
         return FileContents{std::move(text), true};
@@ -59,7 +59,7 @@ Result<FileContents> read_contents(const std::filesystem::path& file) {
 /// OCCT's reader of IGES takes nothing but files.
 Result<void> read_iges_of(ModelFile& model, const FileContents& contents,
                           const Progress& progress) {
-    if (!contents.unpacked) {
+    if (!contents.elsewhere) {
         return read_iges(model, contents.text, model.path, progress);
     }
     const NamedBytes named(contents.text);
@@ -69,8 +69,11 @@ Result<void> read_iges_of(ModelFile& model, const FileContents& contents,
 Result<void> read_into(ModelFile& model, const FileContents& contents, const Progress& progress) {
     switch (model.format) {
         case Format::Step:
-            return read_step(model, contents.text, progress,
-                             {keep_face_names, contents.unpacked, follow_external_references});
+            // What is piped in has no folder for other files.
+            return read_step(
+                model, contents.text, progress,
+                {keep_face_names, contents.elsewhere,
+                 follow_external_references && model.path != shown_name(kStandardInput)});
         case Format::Iges:
             return read_iges_of(model, contents, progress);
         case Format::FreecadDocument:
@@ -112,10 +115,11 @@ void close_external_references() {
     follow_external_references = false;
 }
 
-Result<ModelFile> read_model(const std::filesystem::path& file, const Progress& progress,
+Result<ModelFile> read_model(const std::filesystem::path& source, const Progress& progress,
                              Content content) {
     progress(0.0, "read");
-    const Result<FileContents> contents = read_contents(file);
+    const Result<FileContents> contents = read_contents(source);
+    const std::filesystem::path file = shown_name(source);
     if (!contents) {
         return tl::unexpected(contents.error());
     }

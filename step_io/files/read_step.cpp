@@ -83,9 +83,9 @@ void read_context(const Interface_InterfaceModel& entities, ModelFile& model) {
 
 /// OCCT's scanner takes a byte-order mark for a word of the file's, and has no room for long texts.
 IFSelect_ReturnStatus read_entities(STEPCAFControl_Reader& reader, ModelFile& model,
-                                    std::string_view text, bool unpacked) {
+                                    std::string_view text, bool from_text) {
     const std::optional<ShorterStep> shorter = with_short_texts(text);
-    if (!shorter && !unpacked && !text.starts_with(kByteOrderMark)) {
+    if (!shorter && !from_text && !text.starts_with(kByteOrderMark)) {
         return reader.ReadFile(model.path.c_str());
     }
     if (shorter) {
@@ -137,7 +137,7 @@ Result<void> read_step(ModelFile& model, std::string_view text, const Progress& 
     reader.SetGDTMode(false);    // what the writer would not write again
     reader.SetPropsMode(false);  // volumes and centroids, wrong after a fill
     reader.SetViewMode(false);
-    if (read_entities(reader, model, text, options.unpacked) != IFSelect_RetDone) {
+    if (read_entities(reader, model, text, options.from_text) != IFSelect_RetDone) {
         return fail(ErrorCode::Unreadable, "{} is damaged: OCCT cannot read it{}",
                     model.path.string(), reason_of(scope.complaint()));
     }

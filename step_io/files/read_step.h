@@ -10,7 +10,7 @@ namespace suture::io {
 
 struct StepReading {
     bool face_names = true;
-    bool unpacked = false;       ///< the text is what the file holds in a packed form
+    bool from_text = false;      ///< the file is not the text: it is packed, or there is none
     bool external_files = true;  ///< in the folder of the file or below it
 };
 

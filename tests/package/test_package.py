@@ -105,7 +105,7 @@ class InstalledPackage(unittest.TestCase):
         modules = sorted((self.prefix / "lib").rglob("suture/suture_*"))
         self.assertEqual(
             [module.name for module in modules],
-            ["suture_grow", "suture_iges.so", "suture_occt_filling", "suture_zip.so"],
+            ["suture_gltf.so", "suture_grow", "suture_iges.so", "suture_occt_filling", "suture_zip.so"],
         )
         for module in modules:
             module.unlink()

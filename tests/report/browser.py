@@ -94,6 +94,18 @@ class Browser:
             time.sleep(0.02)
         raise RuntimeError(f"{file} was not ready after {limit} s: {self.errors}")
 
+    def wait_for(self, expression, limit=60):
+        """Until it is true, also in a page that is not there yet."""
+        begun = time.monotonic()
+        while time.monotonic() - begun < limit:
+            try:
+                if self.value(f"Boolean({expression})"):
+                    return
+            except RuntimeError:
+                pass  # between two pages
+            time.sleep(0.02)
+        raise RuntimeError(f"{expression} was not true after {limit} s: {self.errors}")
+
     def count_cpu_seconds(self):
         self.send("Performance.enable", timeDomain="threadTicks")
 

@@ -1,6 +1,7 @@
 """What a user reads: one line for each wrong input, with the next step; and output that fits a screen."""
 
 import gzip
+import json
 import os
 import shutil
 import struct
@@ -161,6 +162,46 @@ class Packed(Case):
         self.assertEqual(text.count("= ADVANCED_FACE("), 5 + 6)  # not the hidden box, the body once
         self.assertIn("'Open box'", text)
         self.expect_refused(run("convert", step, self.folder / "out.FCStd"), USAGE, ".FCStd")
+
+
+class Piped(Case):
+    """`-` is standard input; a pipe can be read once only, the program reads more than once."""
+
+    def piped(self, file, *words, **options):
+        with subprocess.Popen(["cat", file], stdout=subprocess.PIPE) as cat:
+            return run(*words, stdin=cat.stdout, **options)
+
+    def test_every_format_is_read_from_a_pipe(self):
+        step = example("suitcase_corner")
+        packed = self.folder / "corner.step.gz"
+        packed.write_bytes(gzip.compress(step.read_bytes()))
+        iges, brep = self.folder / "corner.iges", self.folder / "corner.brep"
+        for other in (iges, brep):
+            self.expect(run("convert", step, other), DONE)
+        for file in (step, packed, iges, brep):
+            with self.subTest(file.name):
+                self.assertEqual(self.expect(self.piped(file, "inspect", "-", "--json"), DONE).json["hole_count"], 1)
+        with step.open("rb") as stream:  # a file itself
+            self.expect(run("inspect", "-", stdin=stream), DONE)
+
+    def test_a_fill_from_a_pipe_is_that_of_the_file(self):
+        piped, plain = self.folder / "piped.json", self.folder / "plain.json"
+        self.expect(self.piped(example("suitcase_corner"), "fill", "-", "-o", self.folder / "a.step", "--report", piped), DONE)
+        self.expect(run("fill", example("suitcase_corner"), "-o", self.folder / "b.step", "--report", plain), DONE)
+        holes = [json.loads(file.read_text())["holes"][0] for file in (piped, plain)]
+        self.assertEqual(holes[0]["max_gap"], holes[1]["max_gap"])
+        self.assertEqual(holes[0]["patches"], holes[1]["patches"])
+
+    def test_what_is_wrong_with_it_is_told(self):
+        for content, *said in ((b"", "standard input is empty"), (b"solid a\n facet normal 0 0 1\n", "standard input", MESH),
+                               (b"ISO-10303-21;\nHEADER;\n", "standard input")):
+            file = self.folder / "wrong"
+            file.write_bytes(content)
+            self.expect_refused(self.piped(file, "inspect", "-"), UNREADABLE, *said)
+        main, side = os.openpty()
+        self.addCleanup(os.close, main)
+        self.addCleanup(os.close, side)
+        self.expect_refused(run("inspect", "-", stdin=side), USAGE, "pipe a model into it")
 
 
 class Screen(Case):
