@@ -314,6 +314,19 @@ class Holes(Report):
         self.assertGreater(browser.differing_pixels(lambda: browser.value(
             "sutureReport.view.borders.visible = false; sutureReport.view.draw();")), 0.001)
 
+    def test_a_hole_is_seen_from_the_side_to_which_its_neighbours_look(self):
+        def pocket(app, part):  # deep, with a round edge at the bottom, whose floor is gone
+            body = part.makeBox(60, 60, 100).cut(part.makeBox(40, 40, 80, app.Vector(10, 10, 20)))
+            low = [e for e in body.Edges if all(abs(v.Z - 20) < 1e-6 for v in e.Vertexes)]
+            faces = body.makeFillet(5, low).Faces
+            return part.makeShell([f for f in faces if abs(f.CenterOfMass.z - 20) > 1e-6])
+
+        suture("inspect", with_freecad(pocket, self.folder), "--report", self.page)
+        browser = self.browser()
+        browser.open(self.page)
+        out = browser.value("sutureReport.holes[0].out")
+        self.assertGreater(out[2], 0.99)  # away from the middle of the body would be downwards
+
     def test_a_click_on_a_hole_anywhere_moves_to_it(self):
         browser = self.browser()
         browser.open(self.page_of_two_holes())

@@ -10,7 +10,7 @@ export function placeHoles(scene) {
     const low = [0, 1, 2].map((i) => Math.min(...points.map((p) => p[i])));
     const high = [0, 1, 2].map((i) => Math.max(...points.map((p) => p[i])));
     const centre = low.map((x, i) => (x + high[i]) / 2);
-    return { ...hole, lines, points, centre, diameter: Math.hypot(...high.map((x, i) => x - low[i])), out: outward(points, centre, model) };
+    return { ...hole, lines, points, centre, diameter: Math.hypot(...high.map((x, i) => x - low[i])), out: outward(points, centre, model, normalOfNeighbours(hole, model)) };
   });
 }
 
@@ -38,8 +38,27 @@ function chain(lines) {
   return points;
 }
 
-/** The normal of the loop's area, away from the middle of the model. */
-function outward(points, centre, model) {
+/** The sum of the neighbours' normals where they meet the hole, each in the middle of a side. */
+function normalOfNeighbours(hole, model) {
+  const sum = [0, 0, 0];
+  hole.edges.forEach((edge, side) => {
+    const line = model ? polyline(model, edge) : [];
+    const middle = line[Math.floor(line.length / 2)];
+    const face = hole.faces[side];
+    let [nearest, found] = [Infinity, -1];
+    for (let i = 3 * model?.first[face - 1]; middle && i < 3 * model.first[face]; ++i) {
+      const at = 3 * model.corners[i];
+      const d = distance(middle, model.points.subarray(at, at + 3));
+      if (d < nearest) [nearest, found] = [d, at];
+    }
+    if (found >= 0) for (let i = 0; i < 3; ++i) sum[i] += model.normals[found + i];
+  });
+  return sum.map((x) => x / Math.max(hole.edges.length, 1));
+}
+
+/** The normal of the loop's area, to the side to which the neighbours look; where they stand upright
+ *  on it, away from the middle of the model. */
+function outward(points, centre, model, neighbours) {
   const area = [0, 0, 0];
   points.forEach((p, k) => {
     const q = points[(k + 1) % points.length];
@@ -50,6 +69,8 @@ function outward(points, centre, model) {
   });
   const size = Math.hypot(...area);
   if (!(size > 0)) return null;
+  const along = area.reduce((sum, x, i) => sum + (x * neighbours[i]) / size, 0);
+  if (Math.abs(along) > 0.1) return area.map((x) => (Math.sign(along) * x) / size);
   const middle = [0, 1, 2].map((i) => {
     let [low, high] = [Infinity, -Infinity];
     for (let k = i; k < model.points.length; k += 3) { low = Math.min(low, model.points[k]); high = Math.max(high, model.points[k]); }

@@ -164,6 +164,7 @@ for (const heading of document.querySelectorAll('#report h2')) {
   }
 }
 
+const BORDERS = ['free', 'crowded']; // edges that are not between two faces
 function makeSummary() {
   const { profile, limits } = scene;
   let gap = 0;
@@ -172,9 +173,11 @@ function makeSummary() {
     gap = Math.max(gap, scene.gap[row]);
     if (scene.className(row) !== 'sharp') angle = Math.max(angle, scene.angle[row]);
   }
+  const counted = (wanted) => CATEGORIES.filter((category) => wanted(category) && lists[category.key].length > 0)
+    .map(({ key, label }) => `${lists[key].length} ${label}`).join(', ');
   const entries = [
     ['limits', `${profile.name}: ${short(limits.g0)} mm, ${short(limits.g1)}°, ${short(limits.g2)} % (of the ${profile.g2_by}), G3 ${short(profile.g3_deg)}°, sharp from ${short(limits.sharp)}°`],
-    ['edges', `${scene.rows} between two faces: ${CATEGORIES.filter(({ key }) => lists[key].length > 0).map(({ key, label }) => `${lists[key].length} ${label}`).join(', ')}`],
+    ['edges', `${scene.rows} between two faces: ${counted(({ key }) => !BORDERS.includes(key))}${counted(({ key }) => BORDERS.includes(key)).replace(/^(?=.)/, '; ')}`],
     ['largest', `gap ${short(gap)} mm, angle of edges that are not sharp ${short(angle)}°`],
     ['inside faces', `${scene.knots.length} knot lines of no more than C1, ${scene.knots.filter((knot) => scene.isNearKnot(knot)).length} near misses`],
   ];
