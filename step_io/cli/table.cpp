@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 
 namespace suture::cli {
 namespace {
@@ -95,7 +96,8 @@ std::string ranges(std::vector<int> numbers) {
 }
 
 std::string counted(int count, const char* noun) {
-    return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
+    const char* plural = std::string_view(noun).ends_with('s') ? "es" : "s";
+    return fmt::format("{} {}{}", count, noun, count == 1 ? "" : plural);
 }
 
 }  // namespace suture::cli

@@ -10,6 +10,9 @@
 #include <iterator>
 #include <optional>
 
+// Written by hand: OCCT writes OBJ from 7.7 on only, and lib3mf has one interface in Debian 12
+// (1.8) and another in Debian 13 (2.x), both of which run this program.
+
 namespace suture::io {
 
 namespace {

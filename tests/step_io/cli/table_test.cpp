@@ -66,6 +66,7 @@ TEST(Ranges, JoinsThreeOrMoreInARow) {
 TEST(Counted, AddsTheS) {
     EXPECT_EQ(counted(1, "hole"), "1 hole");
     EXPECT_EQ(counted(0, "hole"), "0 holes");
+    EXPECT_EQ(counted(2, "near miss"), "2 near misses");
 }
 
 }  // namespace
