@@ -14,8 +14,8 @@ inline constexpr const char* kStandardInput = "-";
 /// A file's name as a user wants to read it.
 [[nodiscard]] std::filesystem::path shown_name(const std::filesystem::path& file);
 
-/// The bytes of a file, or only the first and the last `ends` of them, joined. Standard input is read
-/// from its beginning where it is a file, and always whole.
+/// The bytes of a file, or only the first and the last `ends` of them, joined. Standard input is
+/// read from its beginning where it is a file, and always whole.
 ///
 /// Refuses  (Unreadable) a missing file, a folder, a device, an empty file, no permission; a file
 ///          of more than `most` bytes.

@@ -22,7 +22,8 @@ from tables import table  # noqa: E402
 FORMATS = ("stl", "off", "obj", "3mf", "glb")
 LIMIT = 600  # seconds for each program
 SCRIPT = 'render() intersection() {{ import("{}"); translate([-1e5, -1e5, -1e5]) cube(2e5); }}\n'
-# A tenth of the usual number of facets: exact arithmetic takes seconds for a thousand of them.
+# Exact arithmetic takes seconds for a thousand facets: of larger meshes it gets one that is coarser.
+MOST = 10000
 COARSE = ["--angular-deflection", "40"]
 
 
@@ -58,12 +59,14 @@ def convert(model, folder):
         open_edges = mesh["open_edges"]
         cells.append("closed" if open_edges == 0 else f"open: {open_edges}")
         closed, triangles = (open_edges == 0, mesh["triangles"]) if ending == "off" else (closed, triangles)
-    coarse = folder / "coarse.off"
-    if closed and run([SUTURE, "convert", model, coarse, *COARSE], LIMIT).code in (0, 4):
-        solid, said = openscad(coarse, folder)
-        well = well and solid
-    else:
-        said = "open, not tried"
+    if not closed:
+        return [*cells, triangles, f"{seconds:.1f}", "not tried"], well
+    if triangles > MOST:
+        run([SUTURE, "convert", model, folder / "mesh.off", *COARSE], LIMIT)
+    solid, said = openscad(folder / "mesh.off", folder)
+    if triangles > MOST:
+        said += ", a coarser one"
+    well = well and solid
     return [*cells, triangles, f"{seconds:.1f}", said], well
 
 

@@ -1,6 +1,10 @@
-"""Colours, parts and names of an assembly come back from 3MF, glTF and OBJ, read by Assimp."""
+"""Colours, parts and names of an assembly come back: from glTF and OBJ read by Assimp, from 3MF by lib3mf."""
 
+import collections
+import ctypes
+import ctypes.util
 import json
+import re
 import shutil
 import subprocess
 import sys
@@ -8,6 +12,9 @@ import unittest
 
 from program import DONE, Case, run
 from time_limits import limit
+
+
+BLUE, RED, GREY = (0.2, 0.4, 0.6), (1.0, 0.0, 0.0), (0.5, 0.5, 0.5)
 
 
 def make_assembly(folder):
@@ -41,8 +48,6 @@ Import.export([machine], {str(folder / "machine.step")!r})
 
 def colour_faces(folder, text):
     """Adds styles to the STEP text: FreeCAD without a window writes none."""
-    import re
-
     context = re.search(r"#(\d+) = \( GEOMETRIC_REPRESENTATION_CONTEXT", text)[1]
     solids = [(m[1], m[2]) for m in re.finditer(r"#(\d+) = MANIFOLD_SOLID_BREP\('[^']*',#(\d+)\)", text)]
     number = max(map(int, re.findall(r"#(\d+) =", text))) + 1
@@ -75,6 +80,53 @@ def colour_faces(folder, text):
     return file
 
 
+class Lib3mf:
+    """What lib3mf reads in a file (its interface of Debian 12, 1.8)."""
+
+    def __init__(self, file):
+        self.library = ctypes.CDLL("lib3MF.so.1")
+        self.model = self.new("createmodel")
+        self.call("reader_readfromfileutf8", self.new("model_queryreader", self.model, b"3mf"), str(file).encode())
+
+    def call(self, name, *arguments):
+        result = getattr(self.library, f"lib3mf_{name}")(*arguments)
+        if result != 0:
+            raise AssertionError(f"lib3mf_{name}: {result & 0xFFFFFFFF:x}")
+
+    def new(self, name, *arguments, kind=ctypes.c_void_p):
+        """What a function gives as its last argument."""
+        result = kind()
+        self.call(name, *arguments, ctypes.byref(result))
+        return result
+
+    def objects(self, which):
+        iterator = self.new(f"model_get{which}", self.model)
+        while self.new("resourceiterator_movenext", iterator, kind=ctypes.c_int).value:
+            yield self.new("resourceiterator_getcurrent", iterator)
+
+    def name(self, item):
+        text = ctypes.create_string_buffer(100)
+        self.call("object_getnameutf8", item, text, len(text), ctypes.byref(ctypes.c_uint32()))
+        return text.value.decode()
+
+    def colours(self, mesh):
+        """How many triangles there are of each colour."""
+        handler = self.new("meshobject_createpropertyhandler", mesh)
+        found = collections.Counter()
+        for i in range(self.new("meshobject_gettrianglecount", mesh, kind=ctypes.c_uint32).value):
+            group = ctypes.c_uint32()
+            index = self.new("propertyhandler_getbasematerial", handler, i, ctypes.byref(group), kind=ctypes.c_uint32)
+            base = self.new("model_getbasematerialbyid", self.model, group)
+            rgba = [ctypes.c_ubyte() for _ in range(4)]
+            self.call("basematerial_getdisplaycolor", base, index, *map(ctypes.byref, rgba))
+            found[tuple(round(part.value / 255, 2) for part in rgba[:3])] += 1
+        return found
+
+
+def lib3mf():
+    return ctypes.util.find_library("3MF") is not None
+
+
 @unittest.skipUnless(shutil.which("assimp"), "assimp is not installed")
 class Colours(Case):
     def read(self, name):
@@ -104,7 +156,7 @@ class Colours(Case):
     def test_they_come_back(self):
         source = make_assembly(self.folder)
         triangles = {}
-        for name in ("a.3mf", "a.glb", "a.obj"):
+        for name in ("a.glb", "a.obj"):
             finished = self.expect(run("convert", source, self.folder / name, "--json"), DONE)
             triangles[name] = finished.json["mesh"]["triangles"]
             scene = self.read(name)
@@ -122,6 +174,17 @@ class Colours(Case):
                 red = sum(len(scene["meshes"][mesh]["faces"]) for _, _, meshes in self.nodes(scene["rootnode"])
                           for mesh in meshes if self.colour(scene, mesh) == (1.0, 0.0, 0.0))
                 self.assertEqual(red, 2)  # one side of the plate
+
+    @unittest.skipUnless(lib3mf(), "lib3mf is not installed")
+    def test_they_come_back_from_3mf(self):
+        self.expect(run("convert", make_assembly(self.folder), self.folder / "a.3mf"), DONE)
+        model = Lib3mf(self.folder / "a.3mf")
+        colours = {model.name(mesh): model.colours(mesh) for mesh in model.objects("meshobjects")}
+        self.assertEqual(colours["plate"], {BLUE: 10, RED: 2})
+        for name in colours.keys() - {"plate"}:
+            self.assertEqual(set(colours[name]), {GREY}, name)
+        self.assertEqual({model.name(item) for item in model.objects("componentsobjects")} & {"machine", "frame"},
+                         {"machine", "frame"})
 
 
 if __name__ == "__main__":
