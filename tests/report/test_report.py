@@ -464,9 +464,11 @@ class Tools(Report):
         self.assertFalse(browser.value("sutureReport.view.cutting"))
 
     def test_the_range_of_the_map_goes_by_area(self):
-        made = with_freecad(  # a large cylinder, and a tiny fillet with many points
-            lambda app, part: part.makeCylinder(50, 100).makeFillet(0.05, [part.makeCylinder(50, 100).Edges[0]]),
-            self.folder)
+        def rounded(app, part):  # a large cylinder, and a tiny fillet with many points
+            cylinder = part.makeCylinder(50, 100)
+            return cylinder.makeFillet(0.05, [cylinder.Edges[0]])
+
+        made = with_freecad(rounded, self.folder)
         browser = self.open(made)
         browser.click_on("[data-mode='curvature']")
         browser.settle()

@@ -49,7 +49,7 @@ class Painter {
       this.faces.uniforms.mode.value = MODES.indexOf(shading);
       this.faces.uniforms.freshShown.value = shading === 'shaded' ? 1 : 0;
       this.renderer.render(this.world, this.camera);
-      image.src = this.canvas.toDataURL();
+      image.setAttribute('src', this.canvas.toDataURL());
     }
     faces.dispose();
     edges.dispose();

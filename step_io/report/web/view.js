@@ -50,6 +50,8 @@ export class View {
     this.renderer.localClippingEnabled = true;
     this.plane = new THREE.Plane(new THREE.Vector3(0, 0, -1), Infinity);
     this.cutting = false;
+    this.shownCategories = new Set(CATEGORIES.map(({ key }) => key));
+    this.before = false;
     this.hiddenEdges = new Set();
     this.pins = [];
     this.lines = {};
