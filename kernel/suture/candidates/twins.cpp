@@ -10,7 +10,6 @@
 #include <BRepTools.hxx>
 #include <BRepTools_WireExplorer.hxx>
 #include <BRep_Tool.hxx>
-#include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
 #include <gp_Trsf.hxx>
 
@@ -100,14 +99,6 @@ std::vector<TopoDS_Edge> outline_of(const TopoDS_Face& face) {
     return edges;
 }
 
-bool has_islands(const TopoDS_Face& face) {
-    int wires = 0;
-    for (TopExp_Explorer it(face, TopAbs_WIRE); it.More(); it.Next()) {
-        ++wires;
-    }
-    return wires > 1;
-}
-
 /// All motions of an outline onto the hole's that fit: a planar one has a turn and a mirror image.
 /// One corner of the hole has to be a corner of the other outline.
 std::vector<Motion> motions(const std::vector<Matrix3Xd>& hole, const LoopPoints& twin,
@@ -153,9 +144,8 @@ struct Twin {
 std::vector<Candidate> find_twins(const std::vector<TopoDS_Face>& faces,
                                   const occ::Numbering& numbering,
                                   const std::vector<BoundaryLoop>& loops, const Hole& hole) {
-    if (loops.size() != 1) {
-        return {};
-    }
+    // The first loop is the outer one. Where the islands lie, on which side, is seen on the
+    // surface.
     std::vector<TopoDS_Edge> sides;
     for (const BoundaryEdge& edge : loops.front().edges) {
         sides.push_back(edge.edge);
@@ -168,7 +158,7 @@ std::vector<Candidate> find_twins(const std::vector<TopoDS_Face>& faces,
     std::vector<Twin> twins;
     for (const TopoDS_Face& face : faces) {
         const std::vector<TopoDS_Edge> outline = outline_of(face);
-        if (outline.empty() || has_islands(face)) {
+        if (outline.empty()) {
             continue;
         }
         const LoopPoints other(outline);

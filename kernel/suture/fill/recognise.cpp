@@ -40,14 +40,16 @@ std::vector<Proposal> proposals_for(const Border& border, const Hole& hole,
         proposals.push_back(std::move(proposal));
     };
     const bool position = position_only(hole);
-    if (!position || hole.loops.size() == 2) {
-        for (Proposal& form : recognise::propose_forms(border, position, refusals)) {
+    const bool circles = position && hole.loops.size() == 2;
+    // The rim of a pipe, to which a ball is tangent all around.
+    const bool lid = position && !circles && recognise::is_flat(border);
+    if (!lid) {
+        for (Proposal& form : recognise::propose_forms(border, !circles, refusals)) {
             add(std::move(form));
         }
     }
     if (least > alike(border)) {
-        for (Proposal& candidate :
-             recognise::propose_candidates(border, options, position, refusals)) {
+        for (Proposal& candidate : recognise::propose_candidates(border, options, refusals)) {
             const bool own = candidate.kind == recognise::kSameSurface;
             add(std::move(candidate));
             if (own) {
@@ -55,10 +57,7 @@ std::vector<Proposal> proposals_for(const Border& border, const Hole& hole,
             }
         }
     }
-    if (position) {
-        return proposals;
-    }
-    if (least > alike(border)) {
+    if (least > alike(border) && !lid && !circles) {
         for (Proposal& ball : recognise::propose_balls(border, refusals)) {
             add(std::move(ball));
         }
@@ -134,7 +133,8 @@ Result<FillResult> fill_recognise(const Hole& hole, const FillOptions& options) 
     }
     if (refusals.text().empty()) {
         return fail(ErrorCode::Refused,
-                    "only position is asked for: normals, which tell the lost face, say nothing");
+                    "only position is asked for along a flat rim: it has a lid, and normals say "
+                    "nothing");
     }
     return fail(ErrorCode::Refused, "no surface is recognised: {}", refusals.text());
 }

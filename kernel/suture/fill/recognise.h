@@ -10,8 +10,8 @@ namespace suture {
 /// Result   one patch of that kind, with plain numbers where they fit as well, exact in itself but
 ///          for the ball's, whose error is given; a note says what was recognised.
 ///          options.recognised is told the figures.
-/// Refuses  a border that lies on no such surface, or tells too little to be believed; one of which
-///          only position is asked for, but for two circles about one axis.
+/// Refuses  a border that lies on no such surface, or tells too little to be believed; a flat one
+///          of which only position is asked for, but for the surface of a face and its copies.
 /// Source   docs/methods/recognise.md
 [[nodiscard]] Result<FillResult> fill_recognise(const Hole& hole, const FillOptions& options);
 

@@ -41,6 +41,9 @@ constexpr double kExact = 0.4;
 /// Numbers that are as plain by chance in one of so many cases say something.
 constexpr double kChance = 0.01;
 
+/// A border that leaves its plane by less than this share of its diameter is flat.
+constexpr double kFlat = 3e-3;
+
 /// Within these a plane explains a border as well; then the surface has to be so much better.
 constexpr double kPlaneAngle = radians(5.0);
 constexpr double kBetterThanPlane = 100.0;
@@ -124,6 +127,10 @@ Agreement measure(const Surface& form, const Border& border) {
         border);
     result.plane = std::holds_alternative<Plane>(form);
     return result;
+}
+
+bool is_flat(const Border& border) {
+    return flatness(border).first < kFlat;
 }
 
 double largest_gap(const Border& border) {

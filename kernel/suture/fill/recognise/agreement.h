@@ -40,6 +40,9 @@ struct Agreement {
 /// the border was cut from; 0 where the model is too inexact to believe anything.
 [[nodiscard]] double largest_gap(const Border& border);
 
+/// Whether the border lies in a plane, as the rim of an opening does.
+[[nodiscard]] bool is_flat(const Border& border);
+
 /// What speaks for a surface besides its agreement.
 struct Evidence {
     /// A face of the model lies on it, so that sides on it may be sharp.

@@ -17,8 +17,8 @@ using Eigen::Vector3d;
 using Eigen::Vector4d;
 
 constexpr int kDegree = 5;
-/// How far the arcs reach beyond their contacts, as a share of their angle: the border of a file
-/// lies on both sides of them.
+/// How far the arcs reach beyond their contacts, as a share of the widest angle: the border of a
+/// file lies on both sides of them, also at a corner where the two sides meet and the arcs end.
 constexpr double kBeyond = 0.02;
 /// The widest angle of one rational quadratic arc.
 constexpr double kWidest = radians(100.0);
@@ -59,6 +59,7 @@ class Path {
 /// Homogeneous control points across the path.
 struct Across {
     int arcs = 1;
+    double beyond = 0.0;  ///< the contacts, radians
 
     [[nodiscard]] int count() const { return 2 * arcs + 1; }
 
@@ -67,8 +68,8 @@ struct Across {
             std::atan2(p.normal[0].cross(p.normal[1]).norm(), p.normal[0].dot(p.normal[1]));
         const Vector3d e = p.normal[0];
         const Vector3d f = (p.normal[1] - e * e.dot(p.normal[1])).normalized();
-        const double from = -kBeyond * angle;
-        const double step = (1.0 + 2.0 * kBeyond) * angle / arcs;
+        const double from = -beyond;
+        const double step = (angle + 2.0 * beyond) / arcs;
         const double w = std::cos(0.5 * step);
         std::vector<Vector4d> result;
         for (int k = 0; k <= 2 * arcs; ++k) {
@@ -181,7 +182,8 @@ Result<ArcSurface> fit_arcs(const RollingBall& ball, const std::vector<BallPosit
                                              p.normal[0].dot(p.normal[1])));
     }
     const Across across{
-        std::max(1, static_cast<int>(std::ceil((1.0 + 2.0 * kBeyond) * widest / kWidest)))};
+        std::max(1, static_cast<int>(std::ceil((1.0 + 2.0 * kBeyond) * widest / kWidest))),
+        kBeyond * widest};
     ArcSurface best;
     best.error = INFINITY;
     for (const int count : kCounts) {

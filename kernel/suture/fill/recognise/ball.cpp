@@ -182,6 +182,21 @@ std::vector<BallRadius> radii_for(const BallGuess& guess, const Border& border) 
     return radii;
 }
 
+namespace {
+
+/// The border's samples, which keep away from the corners, and these.
+Eigen::Matrix3Xd with_corners(const Border& border) {
+    Eigen::Matrix3Xd points = border.model_points();
+    const Eigen::Index count = points.cols();
+    points.conservativeResize(3, count + static_cast<Eigen::Index>(border.sides.size()));
+    for (std::size_t i = 0; i < border.sides.size(); ++i) {
+        points.col(count + static_cast<Eigen::Index>(i)) = border.sides[i].ribbon->at(0.0).point;
+    }
+    return points;
+}
+
+}  // namespace
+
 Result<ArcSurface> ball_surface(const BallGuess& guess, double radius, const Border& border,
                                 double accuracy) {
     const Ribbon& a = *border.sides[guess.sides[0]].ribbon;
@@ -193,7 +208,7 @@ Result<ArcSurface> ball_surface(const BallGuess& guess, double radius, const Bor
                     std::abs(radius), name_of(a), name_of(b));
     }
     const double step = std::min(kStep * border.size, 0.25 * std::abs(radius));
-    const auto path = walk(ball, *start, step, border.model_points());
+    const auto path = walk(ball, *start, step, with_corners(border));
     if (!path) {
         return tl::unexpected(path.error());
     }

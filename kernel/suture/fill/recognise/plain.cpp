@@ -18,6 +18,10 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr double kGrowth = 1.15;
+/// A number that is met by chance in one of so many cases may cost more: normals and points of a
+/// border that is a little inexact all along agree with others as well.
+constexpr double kTelling = 1e-3;
+constexpr double kGrowthOfTelling = 2.5;
 /// Of the coordinates' own rounding: below this a fit is exact.
 constexpr double kExact = 8.0;
 /// Directions, positions and sizes further away than this are others.
@@ -91,10 +95,10 @@ class Plain {
     double chance_ = 1.0;
     double turn_chance_ = 1.0;
 
-    bool keep(const Surface& start, const Hold& hold) {
+    bool keep(const Surface& start, const Hold& hold, double growth = kGrowth) {
         const Surface tried = refine(start, border_, hold);
         const double now = middle(tried, border_);
-        if (!sensible(tried) || now > std::max(kGrowth * middle_, kExact * border_.rounding)) {
+        if (!sensible(tried) || now > std::max(growth * middle_, kExact * border_.rounding)) {
             return false;
         }
         form_ = tried;
@@ -163,7 +167,7 @@ class Plain {
     }
 
     /// Tries a size, in the border's unit.
-    bool try_size(std::size_t i, double value) {
+    bool try_size(std::size_t i, double value, double chance) {
         Surface start = form_;
         double& target = *sizes_of(start)[i];
         if (std::abs(value - target) > kNear * std::abs(target)) {
@@ -172,7 +176,7 @@ class Plain {
         target = value;
         Hold hold = hold_;
         hold.sizes[i] = true;
-        return keep(start, hold);
+        return keep(start, hold, chance < kTelling ? kGrowthOfTelling : kGrowth);
     }
 
     void size(std::size_t i) {
@@ -188,8 +192,9 @@ class Plain {
         const auto steps =
             angle ? std::span<const double>(kAngles) : std::span<const double>(kLengths);
         for (const double round : round_values(value, steps)) {
-            if (try_size(i, round / unit)) {
-                chance_ = std::min(chance_, chance_among(value, round, steps));
+            const double chance = chance_among(value, round, steps);
+            if (try_size(i, round / unit, chance)) {
+                chance_ = std::min(chance_, chance);
                 return;
             }
         }
@@ -207,9 +212,11 @@ class Plain {
             for (const double* size : sizes) {
                 tried += 1.0;
                 // A size that was already met exactly says nothing new, but names its source.
-                if (!std::holds_alternative<Cone>(other) && try_size(i, *size / border_.size)) {
-                    const double off = std::abs(value - *size / border_.size);
-                    chance_ = std::min(chance_, tried * 2.0 * off / value);
+                const double off = std::abs(value - *size / border_.size);
+                const double chance = tried * 2.0 * off / value;
+                if (!std::holds_alternative<Cone>(other) &&
+                    try_size(i, *size / border_.size, chance)) {
+                    chance_ = std::min(chance_, chance);
                     facts_.push_back(fmt::format("{} as of face {}",
                                                  sizes_of(form_).size() == 2 && i == 0 ? "R" : "r",
                                                  side.ribbon->face));

@@ -40,16 +40,19 @@ class Refusals {
 
 /// The closed forms that are believed, the simplest kind first.
 ///
-/// Input    position: normals say nothing; then the cylinder or the cone between two circles.
-[[nodiscard]] std::vector<Proposal> propose_forms(const Border& border, bool position,
+/// Two rims are first of all those of a bore: a cylinder, whose sides may be sharp. Where neither
+/// that nor the normals tell a form, the cone between them is one.
+///
+/// Input    by_normals: whether the neighbours' normals are looked at.
+[[nodiscard]] std::vector<Proposal> propose_forms(const Border& border, bool by_normals,
                                                   Refusals& refusals);
 
 /// The envelopes of rolling balls that are believed.
 [[nodiscard]] std::vector<Proposal> propose_balls(const Border& border, Refusals& refusals);
 
-/// What of the model's candidates is believed; with position alone only some face's own surface.
+/// What of the model's candidates is believed.
 [[nodiscard]] std::vector<Proposal> propose_candidates(const Border& border,
-                                                       const FillOptions& options, bool position,
+                                                       const FillOptions& options,
                                                        Refusals& refusals);
 
 }  // namespace suture::recognise

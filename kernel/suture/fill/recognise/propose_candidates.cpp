@@ -8,16 +8,13 @@
 namespace suture::recognise {
 
 std::vector<Proposal> propose_candidates(const Border& border, const FillOptions& options,
-                                         bool position, Refusals& refusals) {
+                                         Refusals& refusals) {
     std::vector<Proposal> proposals;
     if (!options.candidates) {
         return proposals;
     }
     for (const Candidate& candidate : options.candidates()) {
         const bool same = candidate.kind == kSameSurface;
-        if (position && !same) {
-            continue;
-        }
         extend::Locate locate;
         Agreement agreement;
         if (closed_form(candidate.surface)) {

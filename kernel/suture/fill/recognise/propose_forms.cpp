@@ -12,6 +12,8 @@
 namespace suture::recognise {
 namespace {
 
+constexpr const char* kNames[] = {"plane", "sphere", "cylinder", "cone", "torus"};
+
 /// A closed form in the border's coordinates, and how well it fits.
 struct Form {
     PlainForm plain;
@@ -93,7 +95,6 @@ Result<Form> best_of(const std::vector<Surface>& starts, const Border& border,
 std::vector<Form> forms_for(const Border& border, Refusals& refusals) {
     const Starts starts = starts_for(border);
     std::vector<Form> forms;
-    constexpr const char* kNames[] = {"plane", "sphere", "cylinder", "cone", "torus"};
     for (std::size_t kind = 0; kind < starts.size(); ++kind) {
         const auto found = best_of(starts[kind], border);
         if (!found) {
@@ -108,20 +109,14 @@ std::vector<Form> forms_for(const Border& border, Refusals& refusals) {
     return forms;
 }
 
-/// Two circles about one axis, of which only the position is known: the cylinder between them, or
-/// the cone.
-std::vector<Form> between_circles(const Border& border, Refusals& refusals) {
-    const Starts starts = starts_for(border);
-    std::vector<Form> forms;
-    for (const std::size_t kind : {2, 3}) {
-        const auto found = best_of(starts[kind], border, {/*of_model=*/true});
-        if (found) {
-            forms.push_back(*found);
-            break;
-        }
-        refusals.add(kind == 2 ? "cylinder" : "cone", found.error().message);
+/// The cylinder or the cone between two rims, to which the neighbours' normals say nothing.
+std::vector<Form> between_rims(const Border& border, std::size_t kind, Refusals& refusals) {
+    const auto found = best_of(rim_starts(border)[kind], border, {/*of_model=*/true});
+    if (!found) {
+        refusals.add(fmt::format("{} between the rims", kNames[kind]), found.error().message);
+        return {};
     }
-    return forms;
+    return {*found};
 }
 
 Proposal proposal_for(const Form& found, const Border& border) {
@@ -143,10 +138,23 @@ void Refusals::add(const std::string& what, const std::string& why) {
     text_ += fmt::format("{}{}: {}", text_.empty() ? "" : "; ", what, why);
 }
 
-std::vector<Proposal> propose_forms(const Border& border, bool position, Refusals& refusals) {
+std::vector<Proposal> propose_forms(const Border& border, bool by_normals, Refusals& refusals) {
+    constexpr std::size_t kCylinder = 2;
+    constexpr std::size_t kCone = 3;
+    const bool rims = border.sides.back().loop == 1;
+    std::vector<Form> forms;
+    if (rims) {
+        forms = between_rims(border, kCylinder, refusals);
+    }
+    if (by_normals && forms.empty()) {
+        forms = forms_for(border, refusals);
+    }
+    if (rims && forms.empty()) {
+        forms = between_rims(border, kCone, refusals);
+    }
     std::vector<Proposal> proposals;
-    for (const Form& form :
-         position ? between_circles(border, refusals) : forms_for(border, refusals)) {
+    proposals.reserve(forms.size());
+    for (const Form& form : forms) {
         proposals.push_back(proposal_for(form, border));
     }
     return proposals;

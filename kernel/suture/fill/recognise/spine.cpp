@@ -22,6 +22,8 @@ constexpr double kAgree = 1e-9;
 constexpr std::size_t kMostPositions = 600;
 /// Two surfaces whose normals are nearly the same, or opposite, hold no ball.
 constexpr double kLeastAngle = 1e-3;
+/// Where the path ends at less than this between the normals, it ends where they meet.
+constexpr double kRunsOut = 0.05;
 
 }  // namespace
 
@@ -118,6 +120,12 @@ Ends needs_more(const std::vector<BallPosition>& path, const Eigen::Matrix3Xd& c
     return ends;
 }
 
+/// Whether the two surfaces are so nearly tangent to each other there that the path ends: the
+/// corner of a hole at which the two sides meet.
+bool runs_out(const BallPosition& p) {
+    return p.normal[0].cross(p.normal[1]).norm() < kRunsOut && p.normal[0].dot(p.normal[1]) > 0.0;
+}
+
 std::optional<BallPosition> next(const RollingBall& ball, const BallPosition& from, double step) {
     for (int halving = 0; halving < 3; ++halving, step *= 0.5) {
         auto found = ball.at(from.centre + step * from.tangent, from);
@@ -133,8 +141,10 @@ std::optional<BallPosition> next(const RollingBall& ball, const BallPosition& fr
 Result<std::vector<BallPosition>> walk(const RollingBall& ball, const BallPosition& start,
                                        double step, const Eigen::Matrix3Xd& cover) {
     std::vector<BallPosition> path = {start};
+    Ends out;  // where the path runs out
     while (true) {
-        const Ends ends = needs_more(path, cover);
+        const Ends needs = needs_more(path, cover);
+        const Ends ends{needs.front && !out.front, needs.back && !out.back};
         if (!ends.front && !ends.back) {
             return path;
         }
@@ -143,17 +153,23 @@ Result<std::vector<BallPosition>> walk(const RollingBall& ball, const BallPositi
         }
         if (ends.back) {
             const auto found = next(ball, path.back(), step);
-            if (!found) {
+            out.back = !found && runs_out(path.back());
+            if (!found && !out.back) {
                 return fail(ErrorCode::Refused, "the rolling ball's path ends inside of the hole");
             }
-            path.push_back(*found);
+            if (found) {
+                path.push_back(*found);
+            }
         }
         if (ends.front) {
             const auto found = next(ball, path.front(), -step);
-            if (!found) {
+            out.front = !found && runs_out(path.front());
+            if (!found && !out.front) {
                 return fail(ErrorCode::Refused, "the rolling ball's path ends inside of the hole");
             }
-            path.insert(path.begin(), *found);
+            if (found) {
+                path.insert(path.begin(), *found);
+            }
         }
     }
 }

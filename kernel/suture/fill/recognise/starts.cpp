@@ -9,6 +9,7 @@
 #include <Eigen/QR>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace suture::recognise {
@@ -313,6 +314,27 @@ std::vector<std::vector<std::size_t>> subsets(std::size_t n) {
     return result;
 }
 
+/// From the middle of one of two loops to that of the other: the axis of a bore.
+std::vector<Frame> bore_axes(const Border& border) {
+    std::array<Vector3d, 2> middles = {Vector3d::Zero(), Vector3d::Zero()};
+    std::array<int, 2> counts = {0, 0};
+    for (const Side& side : border.sides) {
+        if (side.loop > 1) {
+            return {};
+        }
+        const auto loop = static_cast<std::size_t>(side.loop);
+        middles[loop] += border.points.middleCols<Border::kSamples>(side.first).rowwise().sum();
+        counts[loop] += Border::kSamples;
+    }
+    if (counts[1] == 0) {
+        return {};
+    }
+    const Vector3d from = middles[0] / counts[0];
+    const Vector3d way = middles[1] / counts[1] - from;
+    return way.norm() > kCircular ? std::vector{frame_along(from, way.normalized())}
+                                  : std::vector<Frame>();
+}
+
 }  // namespace
 
 std::vector<Frame> neighbour_axes(const Border& border) {
@@ -341,6 +363,16 @@ Starts starts_for(const Border& border) {
     const std::vector<Frame> circles = circle_axes(border);
     axes.insert(axes.begin(), circles.begin(), circles.end());
     for (const Frame& frame : distinct(axes, /*lines=*/true)) {
+        collector.about(frame, all);
+    }
+    return collector.take();
+}
+
+Starts rim_starts(const Border& border) {
+    Collector collector(border);
+    const Cloud all{border.points, border.normals};
+    for (const Frame& frame : bore_axes(border)) {
+        collector.along(frame, all);
         collector.about(frame, all);
     }
     return collector.take();

@@ -21,6 +21,10 @@ using Starts = std::array<std::vector<Surface>, kKinds>;
 ///          normals; Kasa, IEEE Trans. Instrum. Meas. 25 (1976): the circle.
 [[nodiscard]] Starts starts_for(const Border& border);
 
+/// The same about and along the line between the middles of two loops, by points alone; nothing
+/// where there are not two.
+[[nodiscard]] Starts rim_starts(const Border& border);
+
 /// The neighbours' own directions: axes, normals of planes.
 [[nodiscard]] std::vector<Frame> neighbour_axes(const Border& border);
 

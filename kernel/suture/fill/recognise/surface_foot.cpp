@@ -13,7 +13,12 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 
 constexpr int kInSpan = 3;
-constexpr int kSteps = 12;
+constexpr int kSteps = 20;
+/// A step that leads away is halved so often where the foot is further off than this share of the
+/// surface's size: there Newton's method goes astray where a surface bends much. Nearer it would
+/// only lead out of the domain, to where the surface's continuation happens to pass.
+constexpr int kHalvings = 8;
+constexpr double kFar = 1e-3;
 constexpr double kSingular = 1e-14;
 
 /// Parameters across a domain, some in each span.
@@ -54,18 +59,27 @@ SurfaceFoot::SurfaceFoot(const SplineSurface& surface, std::size_t rows) : surfa
         points_.col(static_cast<Eigen::Index>(k)) =
             evaluate(surface_, parameters_[k].x(), parameters_[k].y()).point;
     }
+    size_ = (points_.rowwise().maxCoeff() - points_.rowwise().minCoeff()).norm();
 }
 
 Vector2d SurfaceFoot::polished(const Vector3d& point, Vector2d uv) const {
     Vector2d best = uv;
+    Vector2d way = Vector2d::Zero();
     double least = INFINITY;
-    for (int step = 0; step <= kSteps; ++step) {
+    for (int step = 0, halving = 0; step <= kSteps; ++step) {
         const SurfaceJet jet = evaluate(surface_, uv.x(), uv.y());
         const Vector3d d = jet.point - point;
         const double distance = d.norm();
         if (!(distance < least)) {
-            break;
+            if (halving == kHalvings || least < kFar * size_) {
+                break;
+            }
+            ++halving;
+            way *= 0.5;
+            uv = best + way;
+            continue;
         }
+        halving = 0;
         least = distance;
         best = uv;
         Eigen::Matrix2d H;
@@ -78,7 +92,8 @@ Vector2d SurfaceFoot::polished(const Vector3d& point, Vector2d uv) const {
                 break;
             }
         }
-        uv -= H.inverse() * Vector2d(jet.u.dot(d), jet.v.dot(d));
+        way = -(H.inverse() * Vector2d(jet.u.dot(d), jet.v.dot(d)));
+        uv = best + way;
     }
     return best;
 }

@@ -26,6 +26,7 @@ class SurfaceFoot {
     SplineSurface surface_;
     std::vector<Eigen::Vector2d> parameters_;
     Eigen::Matrix3Xd points_;
+    double size_ = 0.0;  ///< of all points
 
     [[nodiscard]] Eigen::Vector2d polished(const Eigen::Vector3d& point, Eigen::Vector2d uv) const;
 };

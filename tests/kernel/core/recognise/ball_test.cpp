@@ -1,6 +1,7 @@
 #include "suture/fill/recognise/ball.h"
 
 #include "support/windows.h"
+#include "suture/fill/recognise.h"
 #include "suture/fill/recognise/form.h"
 #include "suture/fill/recognise/surface_foot.h"
 
@@ -145,6 +146,89 @@ TEST(RollingBall, TouchesTwoCrossingCylinders) {
             EXPECT_LT(miss, 1e-7);
         }
     }
+}
+
+/// A ball that rolls between a plane and a ring that touches it in a point of its inner equator:
+/// there the two contacts meet, and the hole has a corner.
+struct Corner {
+    static constexpr double R = 5.0, a = 2.0, r = 1.0, b = a + r, c = R - b, far = 2.0;
+
+    static Vector3d centre(double t) {
+        const double rho = std::hypot(c, t);
+        return {c, t, t * std::sqrt((b + R - rho) / (rho + c))};
+    }
+    static Vector3d contact(bool on_plane, double t) {
+        const Vector3d p = centre(t);
+        const Vector3d q = R * Vector3d(p.x(), p.y(), 0.0).normalized();
+        return on_plane ? Vector3d(p + r * Vector3d::UnitX()) : Vector3d(q + a / b * (p - q));
+    }
+    static Ribbon side(const Surface& surface, bool reversed, bool on_plane, double from,
+                       double to) {
+        Ribbon ribbon;
+        ribbon.edge = ribbon.face = on_plane ? 1 : 2;
+        const auto t = [from, to](double s) { return from + s * (to - from); };
+        ribbon.support = Support{surface, reversed, [surface, on_plane, t](double s) {
+                                     return parameters_of(surface, contact(on_plane, t(s)));
+                                 }};
+        ribbon.at = along([on_plane, t](double s) { return contact(on_plane, t(s)); },
+                          [t](double s) { return centre(t(s)); });
+        return ribbon;
+    }
+    /// Points whose normals lead to a centre.
+    static std::function<RibbonPoint(double)> along(std::function<Vector3d(double)> point,
+                                                    std::function<Vector3d(double)> centre) {
+        return [point = std::move(point), centre = std::move(centre)](double s) {
+            constexpr double kStep = 1e-6;
+            RibbonPoint p;
+            p.point = point(s);
+            p.normal = (centre(s) - p.point).normalized();
+            p.tangent = (point(s + kStep) - point(s - kStep)) / (2.0 * kStep);
+            p.inward = p.normal.cross(p.tangent).normalized();
+            p.curvature.setZero();
+            return p;
+        };
+    }
+    static Hole hole() {
+        Frame wall;
+        wall.origin = Vector3d(c + r, 0.0, 0.0);
+        wall.x = Vector3d::UnitY();
+        wall.y = Vector3d::UnitZ();
+        wall.z = Vector3d::UnitX();
+        Ribbon arc;
+        arc.edge = arc.face = 3;
+        const Vector3d middle = centre(far);
+        const Vector3d from = contact(true, far) - middle;
+        const Vector3d to = contact(false, far) - middle;
+        const double angle = std::acos(from.dot(to) / (r * r));
+        arc.at = along(
+            [=](double s) -> Vector3d {
+                return middle + (std::sin((1.0 - s) * angle) * from + std::sin(s * angle) * to) /
+                                    std::sin(angle);
+            },
+            [middle](double) { return middle; });
+        Hole result;
+        result.loops.push_back({{side(Plane{wall}, true, true, 0.0, far), arc,
+                                 side(Torus{Frame(), R, a}, false, false, far, 0.0)}});
+        result.diameter = windows::diameter_of(result);
+        return result;
+    }
+};
+
+TEST(RollingBall, EndsInTheCornerWhereItsTwoSidesMeet) {
+    const Hole hole = Corner::hole();
+    const Vector3d inward = hole.loops[0].ribbons[0].at(0.5).inward;
+    ASSERT_GT(inward.dot(Corner::contact(false, 1.0) - Corner::contact(true, 1.0)), 0.0);
+    Recognised found;
+    FillOptions options;
+    options.recognised = [&](const Recognised& what) { found = what; };
+    const auto fill = fill_recognise(hole, options);
+    ASSERT_TRUE(fill) << fill.error().message;
+    EXPECT_EQ(found.kind, "rolling ball");
+    EXPECT_NEAR(found.parameters.front().second, Corner::r, 1e-9);
+    const auto fit = windows::fit_of(hole, fill->patches.front());
+    EXPECT_LT(fit.gap, 1e-7);
+    // Also in the corner the face shows its outside.
+    EXPECT_LT(fit.angle, 1e-4);
 }
 
 TEST(RollingBall, IsNotGuessedBetweenSidesOfVaryingDistance) {

@@ -166,8 +166,35 @@ TEST(FillRecognise, GivesBackTheSphereOfASuitcaseCorner) {
     EXPECT_LT(sphere->frame.origin.norm(), 1e-14);
 }
 
-TEST(FillRecognise, RefusesWherePositionAloneIsWanted) {
+// What is wanted does not change what the normals tell.
+TEST(FillRecognise, GivesBackTheSphereWherePositionAloneIsWanted) {
     const auto fill = fill_recognise(zoo::suitcase_corner(3.0, Continuity::G0), {});
+    ASSERT_TRUE(fill) << fill.error().message;
+    EXPECT_TRUE(std::holds_alternative<Sphere>(fill->patches.front().surface));
+}
+
+// But to the rim of a pipe a ball is tangent all around: an opening has a lid.
+TEST(FillRecognise, PutsNoBallOnTheRimOfAPipe) {
+    Hole rim = without_supports(
+        windows::window_in(Sphere{tilted(), 2.0}, {{1.0, 0.0}, {0.0, 0.0}, 4, false}));
+    const Frame frame = tilted();
+    for (Ribbon& ribbon : rim.loops[0].ribbons) {
+        ribbon.continuity = Continuity::G0;
+        const double first = ribbon.edge - 1.0;
+        ribbon.at = [frame, first](double s) {
+            const double u = 0.5 * kPi * (first + s);
+            const Vector3d out = std::cos(u) * frame.x + std::sin(u) * frame.y;
+            RibbonPoint p;
+            p.point = frame.origin + 2.0 * out;
+            p.normal = out;
+            p.tangent = kPi * (std::cos(u) * frame.y - std::sin(u) * frame.x);
+            p.inward = frame.z;
+            p.curvature.setZero();
+            return p;
+        };
+    }
+    rim.diameter = windows::diameter_of(rim);
+    const auto fill = fill_recognise(rim, {});
     ASSERT_FALSE(fill);
     EXPECT_NE(fill.error().message.find("only position"), std::string::npos);
 }
