@@ -27,7 +27,8 @@ OCCT_SETTINGS = ("default", "tuned")
 
 
 def settings_of(wanted):
-    """[(name, arguments)]: every method of the program, OCCT's with each of its settings."""
+    """[(name, arguments)]: every method of the program, OCCT's with each of its settings, `auto` also
+    without looking for the lost face."""
     listed = run([SUTURE, "methods", "--json"], FILL_LIMIT).document()
     settings = []
     for method in (row["id"] for row in listed["methods"]):
@@ -37,6 +38,8 @@ def settings_of(wanted):
             ]
         else:
             settings.append((method, ["--method", method]))
+        if method == "auto":
+            settings.append(("auto without recognise", ["--method", "auto", "--recognise", "off"]))
     return [row for row in settings if not wanted or row[0].split()[0] in wanted]
 
 
@@ -98,6 +101,9 @@ def bench_one(case, name, arguments, runs, folder):
         row |= {key: entry[key] for key in ("max_gap", "max_angle_deg", "max_curvature_mismatch")}
         row |= {key: entry[key] for key in ("method_used", "within_tolerance", "patches", "notes")}
         row |= {key: report[key] for key in ("valid", "closed", "measured_on")}
+        row["recognised"] = entry.get("recognised")
+        row["findings"] = [found["text"] for found in entry["findings"]
+                           if found["severity"] != "good" and not found["before"]]  # fmt: skip
         row["judge"] = judged(case, out)
     out.unlink(missing_ok=True)
     return row

@@ -1,15 +1,19 @@
 #include "bench/face_distance.h"
 
+#include "bench/border_noise.h"
 #include <gtest/gtest.h>
 
 #include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepBuilderAPI_MakeWire.hxx>
+#include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
+#include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
 #include <GeomConvert.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
+#include <TopoDS_Compound.hxx>
 #include <TopoDS_Wire.hxx>
 #include <gp_Circ.hxx>
 #include <gp_Pln.hxx>
@@ -55,6 +59,25 @@ TEST(FaceDistance, RespectsTheTrimmingOfAFace) {
     EXPECT_NEAR(distance({0.0, 8.0, 4.0}), 5.0, kExact);    // outside of it
     EXPECT_NEAR(distance({0.0, -3.0, -2.0}), 2.0, kExact);  // below
     EXPECT_NEAR(distance({0.0, 0.0, 0.0}), 2.0, kExact);    // equally far all round
+}
+
+TEST(BorderNoise, IsHowFarEdgesLieOffTheirSurfaces) {
+    const gp_Ax2 above(gp_Pnt(0.0, 0.0, 0.01), gp::DZ());
+    const TopoDS_Edge off = BRepBuilderAPI_MakeEdge(gp_Circ(above, 5.0));
+    EXPECT_NEAR(noise_of(off, ring(2.0, 5.0)), 0.01, kExact);
+    TopoDS_Face lost;
+    TopoDS_Compound open;
+    const BRep_Builder builder;
+    builder.MakeCompound(open);
+    for (TopExp_Explorer at(BRepPrimAPI_MakeBox(3.0, 4.0, 5.0).Shape(), TopAbs_FACE); at.More();
+         at.Next()) {
+        if (lost.IsNull()) {
+            lost = TopoDS::Face(at.Current());
+        } else {
+            builder.Add(open, at.Current());
+        }
+    }
+    EXPECT_LT(border_noise(open, lost), kExact);
 }
 
 TEST(FaceDistance, IsThatToTheSphereAlsoAtItsPole) {

@@ -1,7 +1,9 @@
 // Judges a filled model from outside: finds the new faces in the written file and measures how far
-// they are from the face that was taken out. OCCT alone; shares no code with what it judges.
+// they are from the face that was taken out, and how exact the file is around it. OCCT alone;
+// shares no code with what it judges.
 //     suture_referee OPEN.step OUT.step [TRUTH.brep]    prints one JSON object
 
+#include "bench/border_noise.h"
 #include "bench/face_distance.h"
 #include "bench/fairness.h"
 #include <nlohmann/json.hpp>
@@ -208,7 +210,8 @@ Json fairness_json(const std::vector<TopoDS_Face>& faces) {
 
 Json judge(const char* open_file, const char* out_file, const char* truth_file) {
     const TopoDS_Shape out = read_step(out_file);
-    const Comparison comparison = compare(read_step(open_file), out);
+    const TopoDS_Shape open = read_step(open_file);
+    const Comparison comparison = compare(open, out);
     Json result{{"new_faces", comparison.added.size()},
                 {"changed_faces", comparison.changed},
                 {"lost_faces", comparison.lost},
@@ -220,6 +223,11 @@ Json judge(const char* open_file, const char* out_file, const char* truth_file) 
         const std::vector<TopoDS_Face> truth = faces_of(read_brep(truth_file));
         result["truth_fairness"] = fairness_json(truth);
         result["truth_to_new"] = json_of(one_way(truth, comparison.added));
+        double noise = 0.0;
+        for (const TopoDS_Face& face : truth) {
+            noise = std::max(noise, suture::bench::border_noise(open, face));
+        }
+        result["border_noise"] = noise;
         result["new_to_truth"] = json_of(one_way(comparison.added, truth));
     }
     return result;

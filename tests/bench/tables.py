@@ -28,6 +28,8 @@ Made by `cmake --preset bench && cmake --build --preset bench` (tests/bench); no
 - **deviation**: largest distance between the new face and the lost one, both ways, divided by the hole's
   diameter; measured by `suture_referee`, which shares no code with the program. "-": the lost face is not
   known.
+- **given back**: faces whose deviation is at most 1e-6 or 1.5 times the file's own noise, which is how far the
+  hole's edges lie off the lost face and its neighbours, of those that are known; by `suture_referee`.
 - **variation**: integral of |grad II|^2 over the new faces times the diameter squared, in brackets that of
   the lost face; **signs**: how often the Gauss curvature changes its sign, likewise. By `suture_referee`.
   Where the new face varies less than the lost one, the boundary does not tell what was inside.
@@ -100,7 +102,39 @@ def result_of(row):
     if row["status"] != "filled":
         return f"{row['status']}: {row['reason']}"
     used = "" if row["method_used"] == row["method"] else f"{row['method_used']}; "
-    return used + ("within tolerance" if row["within_tolerance"] else "out of tolerance")
+    found = row.get("recognised")
+    if found:
+        used = f"{row['method_used']} ({found['kind']}); "
+    if row["within_tolerance"]:
+        return used + "within tolerance"
+    return used + ": ".join(["out of tolerance", "; ".join(row.get("findings", []))]).rstrip(": ")
+
+
+def given_back(row):
+    """Whether a face is the lost one to within the file's own noise; None if that is not known."""
+    deviation, noise = (row["judge"].get(key) for key in ("fidelity", "border_noise"))
+    if deviation is None or noise is None:
+        return None
+    return deviation <= max(1e-6, 1.5 * noise / row["diameter"])
+
+
+def misses(result, method):
+    """Every hole that a method does not fill within tolerance or whose lost face it does not give back."""
+    rows = []
+    for row in result["rows"]:
+        if row["method"] != method:
+            continue
+        filled = row["status"] == "filled"
+        back = given_back(row) if filled else None
+        if filled and row["within_tolerance"] and back is not False:
+            continue
+        deviation = row["judge"].get("fidelity") if filled else None
+        noise = row["judge"].get("border_noise") if filled else None
+        rows.append([
+            row["case"], number(deviation), number(noise and noise / row["diameter"]), result_of(row),
+            "" if back is not False else row["reason"],
+        ])  # fmt: skip
+    return table(("hole", "deviation", "noise", "result", "why the lost face is not given back"), rows)
 
 
 def cells_of(row):
@@ -126,6 +160,11 @@ def median(values):
     return statistics.median(known) if known else None
 
 
+def back_of(rows):
+    known = [back for back in map(given_back, rows) if back is not None]
+    return f"{sum(known)} of {len(known)}"
+
+
 def summary(result):
     """One line for each method over all cases."""
     rows = []
@@ -143,12 +182,14 @@ def summary(result):
             number(max((row["max_angle_deg"] or 0 for row in filled), default=None)),
             number(median(judge.get("fidelity") for judge in judges)),
             number(max((judge.get("fidelity") or 0 for judge in judges), default=None)),
+            back_of(filled),
             seconds(median(row["seconds_fill"] for row in filled)),
             seconds(max((row["seconds_fill"] or 0 for row in filled), default=None)),
+            f"{sum(row.get('seconds_cpu', 0) for row in own):.0f}",
         ])  # fmt: skip
     columns = (
         "method", "filled", "within tolerance", "not valid", "median gap", "median angle", "worst angle",
-        "median deviation", "worst deviation", "median fill s", "worst fill s",
+        "median deviation", "worst deviation", "given back", "median fill s", "worst fill s", "CPU s of all",
     )  # fmt: skip
     return table(columns, rows)
 
@@ -199,6 +240,8 @@ def benchmark(result, overhead):
     text = HEADER.format(runs=result["runs"], program=result["program"], date=result["date"],
                          methods=", ".join(result["methods"]), **result["machine"])  # fmt: skip
     text += f"\n## All holes\n\n{summary(result)}"
+    if "auto" in result["methods"]:
+        text += f"\n## What `auto` misses\n\n{misses(result, 'auto')}"
     if overhead:
         text += overhead_section(overhead)
     return text + "\n## Hole by hole\n" + hole_tables(result)

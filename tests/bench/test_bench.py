@@ -78,6 +78,19 @@ class Tables(unittest.TestCase):
         self.assertIn("| 2 | 1 |", tables.benchmark(RESULT | {"rows": [alone]}, None))
         self.assertIn("| 2 (5) | 1 (3) |", tables.benchmark(RESULT | {"rows": [both]}, None))
 
+    def test_what_auto_misses_is_listed_with_its_reason(self):
+        auto = FILLED | {"method": "auto"}
+        noisy = {"fidelity": 1.4e-3, "border_noise": 1e-2}  # the noise in mm, of a hole of 10 mm
+        within = auto | {"judge": FILLED["judge"] | noisy}
+        far = auto | {"case": "far", "judge": FILLED["judge"] | noisy | {"fidelity": 1.6e-3}, "reason": "mvs: why"}
+        poor = auto | {"case": "poor", "within_tolerance": False, "findings": ["angle 1 deg"]}
+        result = RESULT | {"methods": ["auto"], "rows": [within, far, poor]}
+        text = tables.benchmark(result, None).split("## What")[1].split("## Hole by hole")[0]
+        self.assertNotIn("| lid |", text)
+        self.assertIn("| far | 0.0016 | 0.001 | plane; within tolerance | mvs: why |", text)
+        self.assertIn("out of tolerance: angle 1 deg", text)
+        self.assertIn("| 1 of 2 |", tables.benchmark(result, None))
+
     def test_a_judge_that_fails_is_not_hidden(self):
         bad = FILLED | {"judge": {"judge_error": "crashed"}}
         self.assertIn("judge failed: crashed", tables.benchmark(RESULT | {"rows": [bad]}, None))
