@@ -37,6 +37,9 @@ constexpr double kZero = 3.0;
 /// Of the grid from which feet on surfaces without formulas are sought.
 constexpr std::size_t kRows = 20;
 
+/// Points this near to a surface, as a share of the hole's diameter, lie on it.
+constexpr double kOn = 1e-9;
+
 /// Walls are thinner than this share of the hole.
 constexpr double kWall = 2.0;
 
@@ -54,7 +57,8 @@ struct Range {
 
 class Ruler {
   public:
-    explicit Ruler(const Surface& surface) : surface_(surface) {
+    /// Input    on: points this near lie on the surface.
+    Ruler(const Surface& surface, double on) : surface_(surface), on_(on) {
         if (const auto* spline = std::get_if<SplineSurface>(&surface)) {
             foot_.emplace(*spline, kRows);
         }
@@ -71,11 +75,12 @@ class Ruler {
         const Vector3d d = point - jet.point;
         // A foot on the border of the domain is none.
         const bool across = std::abs(d.norm() - std::abs(d.dot(n))) < 1e-3 * d.norm();
-        return d.norm() < 1e-12 || across ? d.dot(n) : INFINITY;
+        return d.norm() < on_ || across ? d.dot(n) : INFINITY;
     }
 
   private:
     const Surface& surface_;
+    double on_;
     std::optional<recognise::SurfaceFoot> foot_;
 };
 
@@ -112,8 +117,8 @@ bool within_reach(const TopoDS_Face& face, const Border& border) {
     return !box.IsVoid() && !box.IsOut(hole);
 }
 
-Range range_of(const Surface& surface, const Matrix3Xd& points, double limit) {
-    const Ruler ruler(surface);
+Range range_of(const Surface& surface, const Matrix3Xd& points, double limit, double on) {
+    const Ruler ruler(surface, on);
     Range range;
     // A few points far apart first: most surfaces are far off.
     const Eigen::Index stride = std::max<Eigen::Index>(points.cols() / 7, 1);
@@ -155,7 +160,7 @@ std::vector<Candidate> find_carriers(const std::vector<TopoDS_Face>& faces,
             continue;
         }
         seen.push_back(surface);
-        const Range range = range_of(surface, points, limit);
+        const Range range = range_of(surface, points, limit, kOn * border.size);
         const bool far = !(range.spread() <= limit) || !std::isfinite(range.middle());
         if (far || std::abs(range.middle()) > kWall * border.size) {
             continue;

