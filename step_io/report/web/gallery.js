@@ -36,7 +36,7 @@ class Painter {
     faces.computeBoundingSphere();
     const { center, radius } = faces.boundingSphere;
     const direction = towardsNewFaces(scene) ?? new THREE.Vector3(...ISO);
-    const distance = distanceFor(this.camera, 0.9 * radius);
+    const distance = distanceFor(this.camera, radius);
     this.camera.position.copy(center).addScaledVector(direction.normalize(), distance);
     this.camera.near = distance / 500;
     this.camera.far = distance + 4 * radius;
