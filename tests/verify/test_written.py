@@ -134,7 +134,7 @@ class Written(unittest.TestCase):
                 for k in range(3):
                     file = FOLDER / str(k) / f"same.{ending}"
                     file.parent.mkdir(parents=True, exist_ok=True)
-                    done = run([SUTURE, "convert", model, file, "--json"], FILL_LIMIT)
+                    done = run([SUTURE, "convert", model, file, "--open-ok", "--json"], FILL_LIMIT)
                     self.assertEqual(done.code, 0, done.err)
                     contents.add(file.read_bytes())
                     self.assertEqual(bool(json.loads(done.out)["lost"]), ending == "brep")
