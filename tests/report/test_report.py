@@ -406,11 +406,11 @@ class Tools(Report):
     def test_other_limits_give_the_classes_that_the_program_gives(self):
         for limits in ({"g0": 1e-5, "g1": 1e-3, "g2": 0.5, "sharp": 20}, {"g0": 0.1, "g1": 1, "g2": 50, "sharp": 4}):
             words = [f"--{key}={value}" for key, value in limits.items()]
-            asked = self.open("0044_bb_boxblend_03_colored.stp", *words)
+            asked = self.open("nist_ctc_05_asme1_rd.stp", *words)
             by_edge = ("Object.fromEntries(Array.from({length: sutureReport.scene.rows}, (_, r) => "
                        "[sutureReport.scene.edge(r), [sutureReport.scene.className(r), sutureReport.scene.near[r]]]))")
             expected = asked.value(by_edge)
-            browser = self.open("0044_bb_boxblend_03_colored.stp")
+            browser = self.open("nist_ctc_05_asme1_rd.stp")
             self.assertNotEqual(browser.value(by_edge), expected)
             for key, value in limits.items():
                 self.choose(browser, f"#limits [name={key}]", str(value))
