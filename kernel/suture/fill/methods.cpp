@@ -6,6 +6,7 @@
 #include "suture/fill/manifold.h"
 #include "suture/fill/mvs.h"
 #include "suture/fill/plane.h"
+#include "suture/fill/quad.h"
 #include "suture/fill/recognise.h"
 #include "suture/fill/tube.h"
 
@@ -28,6 +29,12 @@ std::span<const FillMethod> fill_methods() {
         FillMethod{"mvs", "The surface whose curvature varies least, as one biquintic face",
                    "Moreton & Sequin, Functional optimization for fair surface design, 1992", "any",
                    Continuity::G2, &fill_mvs},
+        FillMethod{"quad",
+                   "Coons' patch between four sides, one untrimmed face",
+                   "Coons, Surfaces for computer-aided design of space forms, 1967",
+                   "4",
+                   Continuity::G0,
+                   &fill_quad},
         FillMethod{"algebraic", "Piecewise algebraic surfaces between algebraic neighbours",
                    "Chen, Chen, Deng & Feng, Filling holes with piecewise algebraic surfaces, 2000",
                    "3 and more", Continuity::G2, &fill_algebraic, algebraic_options(),
