@@ -1,5 +1,7 @@
 #include "suture/fill/mvs/levels.h"
 
+#include "suture/fill/mvs/outside.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -203,6 +205,7 @@ Result<Fairing> Levels::run() {
     net_ = best;
     domain_ = best_domain;
     sample_densely();
+    settle_outside(polygons_of(measured_), net_);
     measure();
     double tangency = 0.0;
     for (std::size_t k = 0; k < measured_.size(); ++k) {
