@@ -78,13 +78,14 @@ SplineSurface to_surface(const Net& net) {
     surface.poles.resize(3, surface.count_u() * surface.count_v());
     const int last = surface.count_v() - 1;
     for (int i = 0; i < net.rows(); ++i) {
+        // The pole is one point to the last bit: near it rounding would turn the normals.
         const Vector3d seam =
-            corner
+            corner || i == 0
                 ? Vector3d(net.point(i, 0))
                 : Vector3d((after * net.point(i, 0) + before * net.point(i, 1)) / (before + after));
         for (int j = 0; j <= last; ++j) {
             surface.poles.col(surface.index(i, j)) =
-                j == 0 || j == last ? seam : Vector3d(net.point(i, j));
+                i == 0 || j == 0 || j == last ? seam : Vector3d(net.point(i, j));
         }
     }
     return surface;

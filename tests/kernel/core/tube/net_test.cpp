@@ -42,6 +42,21 @@ TEST(TubeNet, IsTheSameSurfaceWhenItIsCutOpen) {
     }
 }
 
+// Rounding of 1e-15 among poles that are one point turned the normal by 0.1 deg at 1e-7 from it,
+// where columns are close.
+TEST(TubeNet, IsOnePointAtThePole) {
+    Net net(knots_across(1), Ring({1e-5, 0.3, 7.0, 2.0, 0.7}));
+    net.points.setRandom();
+    const Eigen::Vector3d pole(24.055505005849657, 1.0 / 3.0, 1e-13);
+    for (int j = 0; j < net.columns(); ++j) {
+        net.point(0, j) = pole;
+    }
+    const SplineSurface surface = to_surface(net);
+    for (int j = 0; j < surface.count_v(); ++j) {
+        EXPECT_EQ(surface.poles.col(surface.index(0, j)), pole);
+    }
+}
+
 TEST(TubeRing, TellsWhereAMeanKeepsTangentsContinuous) {
     const Ring ring({1.0, 0.3, 0.0, 2.0, 0.7});
     ASSERT_EQ(ring.doubles().size(), 1U);
