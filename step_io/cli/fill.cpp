@@ -66,6 +66,7 @@ struct FillOptions {
     std::string occt_setting = "default";
     std::string recognise = "model";
     std::string prefer = "tight";
+    std::string effort = "normal";
     std::filesystem::path through;
     std::string through_edges;
     std::optional<double> tolerance, angle, curvature, occt_timeout, tension;
@@ -218,6 +219,9 @@ Result<void> take_limits(const FillOptions& options, FillRequest& request) {
                         : options.recognise == "neighbours" ? std::optional(Scope::Neighbours)
                                                             : std::optional(Scope::Model);
     request.prefer = options.prefer == "original" ? Prefer::Original : Prefer::Tight;
+    request.effort = options.effort == "quick"      ? Effort::Quick
+                     : options.effort == "thorough" ? Effort::Thorough
+                                                    : Effort::Normal;
     request.plate_setting =
         options.occt_setting == "tuned" ? PlateSetting::Tuned : PlateSetting::Default;
     double timeout = std::chrono::duration<double>(request.plate_limit).count();
@@ -344,6 +348,11 @@ void add_wishes(CLI::App& app, FillOptions& options) {
                    "given several times")
         ->allow_extra_args(false)
         ->option_text("KEY=VALUE");
+    app.add_option("--effort", options.effort,
+                   "How much auto tries where nothing is within tolerance at once: what is quick, "
+                   "some seconds more a hole (default), or all that can come nearer")
+        ->check(CLI::IsMember({"quick", "normal", "thorough"}))
+        ->option_text("quick|normal|thorough");
     app.add_option("--recognise", options.recognise,
                    "Where the very face that was lost is looked for: around the hole, in the "
                    "whole model (default), or not at all")

@@ -19,7 +19,8 @@ struct Attempt {
     std::string name;
     /// Sets what was recognised, if anything.
     std::function<Result<FillResult>(std::optional<Recognised>&)> fill;
-    bool slow = false;
+    bool closer = false;       ///< for a hole that the others miss by a little
+    bool slow = false;         ///< OCCT's filling
     bool last_resort = false;  ///< position only, where nothing else is worth taking
 };
 
@@ -27,6 +28,14 @@ bool position_only(const Hole& hole) {
     return std::all_of(hole.loops.begin(), hole.loops.end(), [](const RibbonLoop& loop) {
         return std::all_of(loop.ribbons.begin(), loop.ribbons.end(), [](const Ribbon& ribbon) {
             return ribbon.continuity == Continuity::G0;
+        });
+    });
+}
+
+bool wants_curvature(const Hole& hole) {
+    return std::any_of(hole.loops.begin(), hole.loops.end(), [](const RibbonLoop& loop) {
+        return std::any_of(loop.ribbons.begin(), loop.ribbons.end(), [](const Ribbon& ribbon) {
+            return ribbon.continuity >= Continuity::G2;
         });
     });
 }
@@ -69,6 +78,20 @@ Hole without_hopes(Hole hole, const FillRequest& request) {
 /// The method that looks for the lost face.
 constexpr std::string_view kRecognise = "recognise";
 
+/// Whether `auto` does without a method here.
+bool left_out(const FillMethod& method, const Hole& hole, const FillRequest& request) {
+    switch (method.in_auto) {
+        case AutoUse::Always:
+            return method.id == kRecognise && !request.recognise;
+        case AutoUse::NearMiss:
+            return request.effort == Effort::Quick || position_only(hole) ||
+                   (wants_curvature(hole) && method.highest < Continuity::G2);
+        case AutoUse::Never:
+            break;
+    }
+    return true;
+}
+
 std::string plate_name(PlateSetting setting, bool relaxed) {
     const bool tuned = setting == PlateSetting::Tuned;
     return relaxed ? (tuned ? "occt (tuned, position only)" : "occt (position only)")
@@ -86,16 +109,18 @@ std::vector<Attempt> attempts_for(const Site& site, const Hole& hole, const Fill
     options.prefer = request.prefer;
     std::vector<Attempt> attempts;
     for (const FillMethod& method : fill_methods()) {
-        const bool left_out = method.id == kRecognise && !request.recognise;
-        if (automatic ? method.in_auto && !left_out : request.method == method.id) {
-            attempts.push_back(
-                {std::string(method.id), [&, method, options](std::optional<Recognised>& found) {
-                     FillOptions own = options;
-                     own.recognised = [&](const Recognised& what) { found = what; };
-                     return method.fill(hole, own);
-                 }});
+        if (automatic ? !left_out(method, hole, request) : request.method == method.id) {
+            attempts.push_back({std::string(method.id),
+                                [&, method, options](std::optional<Recognised>& found) {
+                                    FillOptions own = options;
+                                    own.recognised = [&](const Recognised& what) { found = what; };
+                                    return method.fill(hole, own);
+                                },
+                                /*closer=*/automatic && method.in_auto == AutoUse::NearMiss});
         }
     }
+    std::stable_partition(attempts.begin(), attempts.end(),
+                          [](const Attempt& attempt) { return !attempt.closer; });
     if (automatic && position_only(hole)) {
         // A lid, not the ball or the tip that a rim could also belong to.
         std::stable_partition(attempts.begin(), attempts.end(),
@@ -108,11 +133,14 @@ std::vector<Attempt> attempts_for(const Site& site, const Hole& hole, const Fill
                                     site.loops, relaxed ? without_tangency(hole) : hole, setting,
                                     request.plate_limit, request.progress);
                             },
-                            /*slow=*/true, /*last_resort=*/automatic && relaxed});
+                            /*closer=*/false, /*slow=*/true,
+                            /*last_resort=*/automatic && relaxed});
     };
     if (automatic) {
         plate(PlateSetting::Default);
-        plate(PlateSetting::Tuned);
+        if (request.effort == Effort::Thorough) {
+            plate(PlateSetting::Tuned);
+        }
         plate(PlateSetting::Default, /*relaxed=*/true);
     } else if (request.method == "occt") {
         for (const PlateSetting setting : {request.plate_setting, PlateSetting::Default}) {
@@ -134,14 +162,18 @@ std::vector<Attempt> attempts_for(const Site& site, const Hole& hole, const Fill
 constexpr double kNear = 30.0;
 
 /// Whether an attempt can be better than the best so far, and may take its time.
-bool worthwhile(const Attempt& attempt, const std::optional<Choice>& best, bool automatic,
-                Effort effort) {
+bool worthwhile(const Attempt& attempt, const std::optional<Choice>& best,
+                const FillRequest& request, Tries tries) {
+    const bool near = best && best->near();
+    if (attempt.closer) {
+        return near;
+    }
     if (!attempt.slow) {
         return true;
     }
-    const bool near = automatic && best && best->near();
     const bool usable = best && best->verdict.severity != Severity::Bad;
-    return effort == Effort::Full && !near && !(attempt.last_resort && usable);
+    return tries == Tries::All && !(near && request.method == "auto") &&
+           !(attempt.last_resort && usable);
 }
 
 /// How a candidate stands among the others: the less the better.
@@ -195,7 +227,7 @@ std::span<const MethodOption> options_of(std::string_view method) {
 }
 
 Result<Choice> choose_fill(const Site& site, const Hole& hole, const FillRequest& request,
-                           const Tolerance& tolerance, Effort effort) {
+                           const Tolerance& tolerance, Tries tries) {
     const bool automatic = request.method == "auto";
     const AskedFill asked = asked_of(site.loops, hole, {}, tolerance);
     const AskedFill less =
@@ -208,7 +240,11 @@ Result<Choice> choose_fill(const Site& site, const Hole& hole, const FillRequest
         if (request.progress.cancelled()) {
             return fail(ErrorCode::Cancelled, "stopped while filling");
         }
-        if (!worthwhile(attempt, best, automatic, effort)) {
+        if (std::find(site.spoilt.begin(), site.spoilt.end(), attempt.name) != site.spoilt.end()) {
+            verdicts.push_back(attempt.name + ": worse in the written file");
+            continue;
+        }
+        if (!worthwhile(attempt, best, request, tries)) {
             const bool named = automatic && !attempt.last_resort && best && best->near();
             if (named) {
                 verdicts.push_back(attempt.name + ": not tried");

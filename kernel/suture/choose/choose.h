@@ -31,9 +31,10 @@ struct Choice {
     [[nodiscard]] bool near() const;
 };
 
-enum class Effort {
-    Quick,  ///< the methods of our own
-    Full    ///< OCCT's filling as well
+/// Which methods take part where the request leaves the choice.
+enum class Tries {
+    Own,  ///< the methods of our own
+    All   ///< OCCT's filling as well
 };
 
 /// Fills one hole with the method asked for, or (auto) with the best of those that apply: each is
@@ -44,7 +45,7 @@ enum class Effort {
 /// Refuses  when no method gives a valid face; the message has every method's own reason.
 [[nodiscard]] Result<Choice> choose_fill(const Site& site, const Hole& hole,
                                          const FillRequest& request, const Tolerance& tolerance,
-                                         Effort effort = Effort::Full);
+                                         Tries tries = Tries::All);
 
 /// Whether --method takes this name; the Usage error lists those that exist.
 [[nodiscard]] Result<void> validate_method(const std::string& method);

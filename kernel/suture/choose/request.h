@@ -18,6 +18,13 @@
 
 namespace suture {
 
+/// How much `auto` tries where nothing is within tolerance at once.
+enum class Effort {
+    Quick,    ///< what takes least time
+    Normal,   ///< methods that come nearer as well, where a fill is near
+    Thorough  ///< all that can come nearer
+};
+
 /// What the user asks for.
 struct FillRequest {
     std::vector<std::vector<int>> holes;  ///< loop ids; several in one entry: one face with islands
@@ -40,11 +47,14 @@ struct FillRequest {
     std::optional<Continuity> continuity;       ///< none: auto
     std::map<int, Continuity> edge_continuity;  ///< EdgeN -> continuity
     std::vector<Eigen::Vector3d> through;       ///< points that the one new face has to pass
+    Effort effort = Effort::Normal;             ///< of `auto`
     PlateSetting plate_setting = PlateSetting::Default;
     Tolerance tolerance;
     std::chrono::milliseconds plate_limit{120'000};  ///< for each run of OCCT's filling
     bool keep_bad = false;        ///< put fills into the model that the judge calls bad
-    std::vector<int> leave_open;  ///< ids of holes whose fill came out bad in the written file
+    std::vector<int> leave_open;  ///< ids of holes whose fills came out bad in the written file
+    /// Hole -> names of the fills that came out worse in the file: the next one is asked for.
+    std::map<int, std::vector<std::string>> spoilt;
     /// Where the lost face's surface is looked for; none: `auto` leaves `recognise` out.
     std::optional<Scope> recognise = Scope::Model;
     Prefer prefer = Prefer::Tight;

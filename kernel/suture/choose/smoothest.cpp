@@ -79,7 +79,7 @@ void relax(const std::vector<bool>& sides, const std::string& why, Hole& hole,
 bool does_without_tangency(const std::string& method) {
     const auto rows = fill_methods();
     return method == "auto" || std::any_of(rows.begin(), rows.end(), [&](const FillMethod& row) {
-               return row.in_auto && row.id == method;
+               return row.in_auto == AutoUse::Always && row.id == method;
            });
 }
 
@@ -92,7 +92,7 @@ Result<Choice> choose_tangent(const Site& site, Hole& hole, std::vector<Wish>& w
     if (!ours || !does_without_tangency(request.method)) {
         return choose_fill(site, hole, request, tolerance);
     }
-    auto tangent = choose_fill(site, hole, request, tolerance, Effort::Quick);
+    auto tangent = choose_fill(site, hole, request, tolerance, Tries::Own);
     const bool shaped = is_shaped(tangent);
     const std::vector<bool> sharp = sharp_sides(wishes, tangent);
     if (!tangent && tangent.error().code == ErrorCode::Cancelled) {
@@ -113,7 +113,7 @@ Result<Choice> choose_tangent(const Site& site, Hole& hole, std::vector<Wish>& w
         Hole relaxed = hole;
         std::vector<Wish> fewer = wishes;
         relax(sides, why, relaxed, fewer);
-        auto choice = choose_fill(site, relaxed, request, tolerance, Effort::Quick);
+        auto choice = choose_fill(site, relaxed, request, tolerance, Tries::Own);
         seconds += choice ? choice->seconds : 0.0;
         if (choice && choice->near() && !any(sharp_sides(fewer, choice))) {
             choice->seconds = seconds;
@@ -142,7 +142,7 @@ Result<Choice> choose_smoothest(const Site& site, Hole& hole, std::vector<Wish>&
     if (std::none_of(wishes.begin(), wishes.end(), [](const Wish& w) { return w.hoped; })) {
         return choose_tangent(site, hole, wishes, request, tolerance);
     }
-    auto smooth = choose_fill(site, hole, request, tolerance, Effort::Quick);
+    auto smooth = choose_fill(site, hole, request, tolerance, Tries::Own);
     if (!smooth && smooth.error().code == ErrorCode::Cancelled) {
         return smooth;
     }

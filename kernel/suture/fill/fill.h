@@ -49,6 +49,13 @@ struct FillOptions {
 /// A fill method: patches for a hole, or a refusal that names the ribbon and the reason.
 using FillFunction = Result<FillResult> (*)(const Hole&, const FillOptions&);
 
+/// When `auto` tries a method; else it is run by --method only.
+enum class AutoUse {
+    Always,
+    NearMiss,  ///< where the others miss by a little: it comes nearer, with more poles and time
+    Never
+};
+
 /// One row of the method table.
 struct FillMethod {
     std::string_view id;  ///< as given to --method
@@ -58,7 +65,7 @@ struct FillMethod {
     Continuity highest;       ///< the highest continuity it can reach
     FillFunction fill;
     std::span<const MethodOption> options = {};  ///< its own, for --option
-    bool in_auto = true;  ///< whether `auto` tries it; else it is run by --method only
+    AutoUse in_auto = AutoUse::Always;
 };
 
 /// Every method that needs nothing but the ribbons, in the order in which `auto` tries them.
