@@ -5,6 +5,7 @@
 #include "cli/prepare.h"
 #include "cli/remeasure.h"
 #include "cli/reread.h"
+#include "cli/spoilt_fills.h"
 #include "cli/what_broke.h"
 #include "files/stated_accuracy.h"
 #include "suture/flow/compute.h"
@@ -258,6 +259,11 @@ class FillJob {
             for (int& id : wanted.request.leave_open) {
                 id -= part.ids_before;
             }
+            std::map<int, std::vector<std::string>> spoilt;
+            for (auto& [id, methods] : wanted.request.spoilt) {
+                spoilt[id - part.ids_before] = std::move(methods);
+            }
+            wanted.request.spoilt = std::move(spoilt);
             wanted.request.progress.cancel = all.cancel;
             wanted.request.progress.report = [&, i](double fraction, std::string_view what) {
                 const std::lock_guard lock(reporting);
@@ -564,38 +570,11 @@ class FillJob {
     tbb::task_group validity_;  ///< sets in_memory_
 };
 
-/// Holes whose fill is bad in the file; in memory it was not.
-void take_bad_ones(const std::vector<HoleReport>& holes, std::vector<HoleReport>& bad) {
-    for (const HoleReport& hole : holes) {
-        if (hole.status == FillStatus::Filled && hole.verdict.severity == Severity::Bad) {
-            bad.push_back(hole);
-            bad.back().status = FillStatus::Refused;
-            bad.back().notes.push_back(std::move(bad.back().reason));
-            bad.back().reason = fmt::format(
-                "the best fill is bad in the written file and stays out of the model (--keep-bad "
-                "puts it in): {}",
-                to_text(hole.verdict.findings.front()));
-        }
-    }
-}
-
-/// The reports of what was left open in the last run.
-void put_back(std::vector<HoleReport>& bad, std::vector<HoleReport>& holes) {
-    for (HoleReport& left : bad) {
-        for (HoleReport& hole : holes) {
-            if (hole.ids == left.ids) {
-                hole = std::move(left);
-                break;
-            }
-        }
-    }
-}
-
 }  // namespace
 
 Result<FillSummary> fill_model(Run& run, const FillSettings& settings) {
     FillSettings again = settings;
-    std::vector<HoleReport> bad;
+    SpoiltFills spoilt(settings.request);
     for (;;) {
         Result<LoadedModel> model = load_model(run, settings.input, settings.load, kLoaded);
         if (!model) {
@@ -609,14 +588,9 @@ Result<FillSummary> fill_model(Run& run, const FillSettings& settings) {
         if (!summary || settings.request.keep_bad) {
             return summary;
         }
-        const std::size_t known = bad.size();
-        take_bad_ones(summary->holes, bad);
-        if (bad.size() == known) {
-            put_back(bad, summary->holes);
+        if (!spoilt.take(*summary, again.request)) {
+            spoilt.put_back(summary->holes);
             return summary;
-        }
-        for (const HoleReport& hole : bad) {
-            again.request.leave_open.push_back(hole.ids.front());
         }
     }
 }

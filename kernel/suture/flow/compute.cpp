@@ -118,8 +118,8 @@ ComputedFill compute_fill(const TopoDS_Shape& shape, const HolePlan& plan,
     computed.hole = *plan.hole;
     computed.report.through = request.through;
     std::vector<Wish> wishes = plan.wishes;
-    auto choice = choose_smoothest({shape, plan.loops, plan.candidates, plan.guides}, computed.hole,
-                                   wishes, request, request.tolerance);
+    auto choice = choose_smoothest({shape, plan.loops, plan.candidates, plan.guides, plan.spoilt},
+                                   computed.hole, wishes, request, request.tolerance);
     computed.seconds_choose = seconds_since(start);
     report_wishes(plan.loops, computed.hole, wishes, computed.report);
     computed.report.asked = asked_of(plan.loops, computed.hole, wishes, request.tolerance);

@@ -83,11 +83,15 @@ void ask_to_follow_facets(const TopoDS_Shape& shape, HolePlan& plan) {
 HolePlan plan_of(const TopoDS_Shape& shape, const occ::Numbering& numbering,
                  const std::vector<BoundaryLoop>& loops, const FillRequest& request) {
     if (is_left_open(loops, request)) {
-        return {loops, fail(ErrorCode::Refused, "left open"), {}, {}, 0};
+        return {loops, fail(ErrorCode::Refused, "left open"), {}, {}, 0, {}};
     }
-    HolePlan plan{loops, extract_hole(loops), {}, {}, 0};
+    HolePlan plan{loops, extract_hole(loops), {}, {}, 0, {}};
     if (plan.hole) {
         plan.hole->through = request.through;
+        if (const auto spoilt = request.spoilt.find(loops.front().id);
+            spoilt != request.spoilt.end()) {
+            plan.spoilt = spoilt->second;
+        }
         plan.wishes = wishes_for(*plan.hole, request);
         ask(*plan.hole, plan.wishes);
         if (std::ranges::all_of(plan.wishes, &Wish::own) && are_facets(*plan.hole, loops)) {

@@ -21,6 +21,7 @@ struct HolePlan {
     std::vector<Wish> wishes;         ///< side by side, in the order of the loops
     CandidateFinder candidates;  ///< looks in the shape that was planned for; keeps what it found
     std::size_t guides = 0;      ///< so many of the hole's last points only guide a fill
+    std::vector<std::string> spoilt;  ///< names of the fills that a file spoils
 };
 
 /// What is to be filled, and why the rest is not.
