@@ -74,6 +74,19 @@ std::string fault_of(const TopoDS_Face& face, const TopTools_IndexedMapOfShape& 
     return has_no_area(face, own) ? "has no area: its two edges lie on each other" : "";
 }
 
+/// Shells of which no face could be read are nothing, and OCCT's IGES writer fails on them.
+TopoDS_Shape without_empty_shells(const TopoDS_Shape& shape) {
+    BRepTools_ReShape rest;
+    bool changed = false;
+    for (TopExp_Explorer shell(shape, TopAbs_SHELL); shell.More(); shell.Next()) {
+        if (!TopExp_Explorer(shell.Current(), TopAbs_FACE).More()) {
+            rest.Remove(shell.Current());
+            changed = true;
+        }
+    }
+    return changed ? rest.Apply(shape) : shape;
+}
+
 }  // namespace
 
 void leave_out_bad_faces(ModelFile& model) {
@@ -97,8 +110,11 @@ void leave_out_bad_faces(ModelFile& model) {
                     fmt::format("face {} of '{}' {}: left out", i, part.name, fault));
             }
         }
-        if (changed) {
-            TopoDS_Shape left = rest.Apply(part.shape);
+        TopoDS_Shape left = changed ? rest.Apply(part.shape) : part.shape;
+        if (!left.IsNull()) {
+            left = without_empty_shells(left);
+        }
+        if (left.IsNull() || !left.IsSame(part.shape)) {
             if (left.IsNull()) {
                 TopoDS_Compound nothing;
                 BRep_Builder().MakeCompound(nothing);

@@ -119,6 +119,28 @@ TEST(RoundTrip, WorksMirroringAndScalingPlacementsOfBrepIn) {
     }
 }
 
+// What a reader leaves of a body none of whose faces it knows.
+TEST(RoundTrip, WritesModelsWithEmptyShells) {
+    const Folder folder;
+    TopoDS_Shell empty;
+    TopoDS_Solid solid;
+    TopoDS_Compound both;
+    BRep_Builder().MakeShell(empty);
+    BRep_Builder().MakeSolid(solid);
+    BRep_Builder().Add(solid, empty);
+    BRep_Builder().MakeCompound(both);
+    BRep_Builder().Add(both, solid);
+    BRep_Builder().Add(both, BRepPrimAPI_MakeBox(30, 20, 5).Shape());
+    BRepTools::Write(both, (folder / "both.brep").c_str());
+    const ModelFile model = read(folder / "both.brep");
+    EXPECT_EQ(occ::faces_of(model.shape()).size(), 6U);
+    for (const auto& [name, format] :
+         {std::pair("both.igs", Format::Iges), std::pair("both.step", Format::Step)}) {
+        write(model, folder / name, format);
+        EXPECT_NEAR(volume(read(folder / name).shape()), 3000.0, 1e-6) << name;
+    }
+}
+
 TEST(RoundTrip, SaysWhoWroteTheFileAndKeepsItsAuthor) {
     const Folder folder;
     ModelFile model = model_of(BRepPrimAPI_MakeBox(30, 20, 5).Shape(), "box");
