@@ -247,6 +247,7 @@ Result<FillResult> fill_quad(const Hole& hole, const FillOptions& options) {
     }
     const std::vector<Ribbon>& ribbons = hole.loops[0].ribbons;
     std::vector<std::shared_ptr<const Walk>> walks;
+    walks.reserve(ribbons.size());
     for (const Ribbon& ribbon : ribbons) {
         walks.push_back(std::make_shared<const Walk>(ribbon));
     }
