@@ -21,8 +21,8 @@ struct Site {
     const TopoDS_Shape& shape;
     const std::vector<BoundaryLoop>& loops;  ///< the hole's, in the shape
     CandidateFinder candidates = {};         ///< surfaces of the model for it
-    std::size_t guides = 0;  ///< so many of the hole's last points only guide a fill
-    std::vector<std::string> spoilt = {};    ///< names of the fills that a file spoils
+    std::size_t guides = 0;                ///< so many of the hole's last points only guide a fill
+    std::vector<std::string> spoilt = {};  ///< names of the fills that a file spoils
 };
 
 /// A fill in the model, for trial: its faces stand on copies of the hole's edges and of the faces
