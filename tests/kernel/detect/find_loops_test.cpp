@@ -398,6 +398,33 @@ TEST(FindLoops, CallsLoopsOnEachOtherSeams) {
     EXPECT_NEAR(loops.front().gap, 0.001, 1e-9);
 }
 
+// A box whose lid is in two halves, this far apart: nearer than what is a seam by its length, but
+// with ends that are no longer than the gap.
+TEST(FindLoops, CallsAHoleWithShortEndsAHoleHoweverNarrow) {
+    for (const double gap : {0.02, 0.05, 0.15}) {
+        const double y = 0.5 * gap;
+        PolygonMesh mesh({{0, -40, 0},
+                          {100, -40, 0},
+                          {100, 40, 0},
+                          {0, 40, 0},
+                          {0, -40, 20},
+                          {100, -40, 20},
+                          {100, -y, 20},
+                          {100, y, 20},
+                          {100, 40, 20},
+                          {0, 40, 20},
+                          {0, y, 20},
+                          {0, -y, 20}});
+        const TopoDS_Shell box = test::shell_of(
+            {mesh.face({{0, 3, 2, 1}}), mesh.face({{0, 1, 5, 4}}), mesh.face({{2, 3, 9, 8}}),
+             mesh.face({{1, 2, 8, 7, 6, 5}}), mesh.face({{3, 0, 4, 11, 10, 9}}),
+             mesh.face({{4, 5, 6, 11}}), mesh.face({{10, 7, 8, 9}})});
+        for (const double scale : {1e-3, 1.0, 1e3}) {
+            EXPECT_EQ(census(test::moved(box, scale)), (Census{{"hole", 4}})) << gap;
+        }
+    }
+}
+
 TEST(FindLoops, KeepsTheWallsOfAThinOpenPlateApart) {
     const TopoDS_Shape plate = BRepPrimAPI_MakeBox(100.0, 80.0, 0.1).Shape();
     EXPECT_EQ(census(test::without_faces(plate, {1, 2, 3, 4})), (Census{{"rim", 4}, {"rim", 4}}));
