@@ -322,7 +322,7 @@ export class View {
     for (const pin of pins) {
       const element = Object.assign(document.createElement('button'), {
         type: 'button', className: `pin ${kind} ${pin.className ?? ''}`, textContent: pin.text, ariaLabel: pin.label, title: pin.label });
-      element.addEventListener('click', () => this.onPin?.(pin));
+      element.addEventListener('click', () => this.onPin?.({ ...pin, kind }));
       this.canvas.parentElement.append(element);
       this.pins.push({ ...pin, kind, element });
     }

@@ -416,9 +416,9 @@ TEST(FindLoops, CallsAHoleWithShortEndsAHoleHoweverNarrow) {
                           {0, y, 20},
                           {0, -y, 20}});
         const TopoDS_Shell box = test::shell_of(
-            {mesh.face({{0, 3, 2, 1}}), mesh.face({{0, 1, 5, 4}}), mesh.face({{2, 3, 9, 8}}),
-             mesh.face({{1, 2, 8, 7, 6, 5}}), mesh.face({{3, 0, 4, 11, 10, 9}}),
-             mesh.face({{4, 5, 6, 11}}), mesh.face({{10, 7, 8, 9}})});
+            {mesh.face({0, 3, 2, 1}), mesh.face({0, 1, 5, 4}), mesh.face({2, 3, 9, 8}),
+             mesh.face({1, 2, 8, 7, 6, 5}), mesh.face({3, 0, 4, 11, 10, 9}),
+             mesh.face({4, 5, 6, 11}), mesh.face({10, 7, 8, 9})});
         for (const double scale : {1e-3, 1.0, 1e3}) {
             EXPECT_EQ(census(test::moved(box, scale)), (Census{{"hole", 4}})) << gap;
         }
