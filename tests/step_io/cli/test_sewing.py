@@ -81,6 +81,22 @@ class Sewing(Case):
         document = self.expect(run("inspect", self.given("detect/lone_strip.brep"), "--json"), NOTHING).json
         self.assertEqual([h["kind"] for h in document["holes"]], ["rim"])
 
+    def test_band_between_two_coaxial_rims_is_a_cylinder(self):
+        document, shape = self.filled("detect/coaxial_band.step")
+        (hole,) = [h for h in document["holes"] if h["status"] == "filled"]
+        self.assertEqual(len(hole["ids"]), 2)
+        self.assertEqual([p["kind"] for p in hole["patches"]], ["cylinder"])
+        self.assertIn("r = 6;", hole["notes"][0])
+        self.assertEqual((shape["solids"], shape["free_edges"], shape["valid"]), (1, 0, True))
+
+    def test_flank_of_a_thread_is_ruled_between_its_edges(self):
+        # Sharp along the thread, as the lost flank was: tangency there is given up.
+        document, shape = self.filled("detect/helical_flank.brep", "--hole", "2", code=OUT_OF_TOLERANCE)
+        (hole,) = [h for h in document["holes"] if h["status"] == "filled"]
+        self.assertEqual(hole["method_used"], "quad")
+        self.assertLess(hole["max_gap"], 1e-5)
+        self.assertEqual((shape["free_edges"], shape["valid"]), (8, True))
+
     def test_boss_and_its_plate_have_lost_one_face(self):
         document = self.expect(run("inspect", self.given("trust/boss_without_fillet.step"), "--json"), DONE).json
         self.assertEqual([h["islands_with"] for h in document["holes"]], [[2], [1]])
