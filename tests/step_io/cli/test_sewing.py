@@ -82,7 +82,8 @@ class Sewing(Case):
         self.assertEqual([h["kind"] for h in document["holes"]], ["rim"])
 
     def test_band_between_two_coaxial_rims_is_a_cylinder(self):
-        document, shape = self.filled("detect/coaxial_band.step")
+        # Its cones meet it at 105 degrees, as in the lost body: tangency there is given up.
+        document, shape = self.filled("detect/coaxial_band.step", code=OUT_OF_TOLERANCE)
         (hole,) = [h for h in document["holes"] if h["status"] == "filled"]
         self.assertEqual(len(hole["ids"]), 2)
         self.assertEqual([p["kind"] for p in hole["patches"]], ["cylinder"])
