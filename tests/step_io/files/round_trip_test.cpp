@@ -34,6 +34,26 @@ TEST_P(RoundTripOfSchema, KeepsTreeNamesColoursAndLayers) {
 
 INSTANTIATE_TEST_SUITE_P(Step, RoundTripOfSchema, ::testing::Values("AP203", "AP214", "AP242"));
 
+TEST(RoundTrip, KeepsTheColourOfOneInstance) {
+    const Folder folder;
+    const ModelFile model = two_level_assembly();
+    TDF_Label left;
+    for (const TDF_Label& root : roots_of(model.document)) {
+        for (const TDF_Label& component : components_of(root)) {
+            for (const TDF_Label& inner : components_of(referred(component))) {
+                left = name_of(inner) == "left bolt" ? inner : left;
+            }
+        }
+    }
+    ASSERT_FALSE(left.IsNull());
+    const std::string plain = describe(model);
+    colours_of(model.document)
+        ->SetColor(left, Quantity_Color(1, 0, 1, Quantity_TOC_sRGB), XCAFDoc_ColorSurf);
+    ASSERT_NE(describe(model), plain);
+    write(model, folder / "a.step", Format::Step);
+    EXPECT_EQ(describe(read(folder / "a.step")), describe(model));
+}
+
 TEST(RoundTrip, CountsInstancesOverTheWholeTree) {
     const std::vector<Part> parts = two_level_assembly().parts();
     ASSERT_EQ(parts.size(), 2U);
