@@ -75,18 +75,15 @@ Hole without_hopes(Hole hole, const FillRequest& request) {
     return hole;
 }
 
-/// The method that looks for the lost face.
-constexpr std::string_view kRecognise = "recognise";
-/// The method that bridges edges: between the two rims of a hole it would bulge where the lost face
-/// met them sharply.
-constexpr std::string_view kLoft = "loft";
-
 /// Whether `auto` does without a method here.
 bool left_out(const FillMethod& method, const Hole& hole, const FillRequest& request) {
     switch (method.in_auto) {
         case AutoUse::Always:
-            return (method.id == kRecognise && !request.recognise) ||
-                   (method.id == kLoft && !request.connect);
+            return false;
+        case AutoUse::Recognising:
+            return !request.recognise;
+        case AutoUse::Bridging:
+            return !request.connect;
         case AutoUse::NearMiss:
             return request.effort == Effort::Quick || position_only(hole) ||
                    (wants_curvature(hole) && method.highest < Continuity::G2);

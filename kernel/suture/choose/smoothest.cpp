@@ -79,7 +79,8 @@ void relax(const std::vector<bool>& sides, const std::string& why, Hole& hole,
 bool does_without_tangency(const std::string& method) {
     const auto rows = fill_methods();
     return method == "auto" || std::any_of(rows.begin(), rows.end(), [&](const FillMethod& row) {
-               return row.in_auto == AutoUse::Always && row.id == method;
+               const bool taken = row.in_auto != AutoUse::NearMiss && row.in_auto != AutoUse::Never;
+               return taken && row.id == method;
            });
 }
 

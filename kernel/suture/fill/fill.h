@@ -52,6 +52,10 @@ using FillFunction = Result<FillResult> (*)(const Hole&, const FillOptions&);
 /// When `auto` tries a method; else it is run by --method only.
 enum class AutoUse {
     Always,
+    Recognising,  ///< where the lost face is to be looked for
+    /// Where edges are to be connected: between the rims of a hole it would bulge where the lost
+    /// face met them sharply.
+    Bridging,
     NearMiss,  ///< where the others miss by a little: it comes nearer, with more poles and time
     Never
 };
