@@ -1,5 +1,6 @@
 #include "suture/edges/cut.h"
 
+#include "suture/occ/children.h"
 #include "suture/occ/guard.h"
 #include "suture/occ/topology.h"
 
@@ -9,7 +10,6 @@
 #include <TopTools_IndexedDataMapOfShapeListOfShape.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
-#include <TopoDS_Iterator.hxx>
 
 #include <algorithm>
 
@@ -24,23 +24,16 @@ TopoDS_Shape without(const TopoDS_Shape& shape, const TopTools_IndexedMapOfShape
     if (shape.ShapeType() > TopAbs_FACE) {
         return shape;
     }
-    bool changed = false;
-    std::vector<TopoDS_Shape> children;
-    for (TopoDS_Iterator it(shape); it.More(); it.Next()) {
-        TopoDS_Shape child = without(it.Value(), taken);
-        changed = changed || !child.IsSame(it.Value());
-        if (!child.IsNull()) {
-            children.push_back(child);
-        }
-    }
-    if (!changed) {
+    const auto children = occ::changed_children(
+        shape, [&](const TopoDS_Shape& child) { return without(child, taken); });
+    if (!children) {
         return shape;
     }
-    if (children.empty()) {
+    if (children->empty()) {
         return {};
     }
     TopoDS_Shape copy = shape.EmptyCopied();
-    for (const TopoDS_Shape& child : children) {
+    for (const TopoDS_Shape& child : *children) {
         BRep_Builder().Add(copy, child);
     }
     if (copy.ShapeType() == TopAbs_SHELL) {

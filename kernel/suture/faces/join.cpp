@@ -1,6 +1,7 @@
 #include "suture/faces/join.h"
 
 #include "suture/faces/voids.h"
+#include "suture/occ/children.h"
 #include "suture/occ/guard.h"
 
 #include <BRepLib.hxx>
@@ -81,26 +82,19 @@ class Joiner {
         if (shape.ShapeType() > TopAbs_SHELL) {
             return bounds_new_face(shape) ? TopoDS_Shape() : shape;
         }
-        bool changed = false;
-        std::vector<TopoDS_Shape> children;
-        for (TopoDS_Iterator it(shape); it.More(); it.Next()) {
-            TopoDS_Shape child = rebuilt(it.Value());
-            changed = changed || !child.IsSame(it.Value());
-            if (!child.IsNull()) {
-                children.push_back(child);
-            }
-        }
-        if (!changed) {
+        auto children = occ::changed_children(
+            shape, [this](const TopoDS_Shape& child) { return rebuilt(child); });
+        if (!children) {
             return shape;
         }
-        if (children.empty()) {
+        if (children->empty()) {
             return {};  // all of it was merged into another body
         }
         TopoDS_Shape copy = shape.EmptyCopied();
         if (shape.ShapeType() == TopAbs_COMPOUND) {
-            children = take_in_voids(std::move(children));
+            children = take_in_voids(std::move(*children));
         }
-        for (const TopoDS_Shape& child : children) {
+        for (const TopoDS_Shape& child : *children) {
             add(copy, shape.ShapeType() == TopAbs_SOLID ? child : as_solid(child));
         }
         return copy.ShapeType() == TopAbs_SOLID ? outward(TopoDS::Solid(copy)) : copy;
