@@ -6,7 +6,6 @@
 #include <Eigen/SparseCore>
 
 #include <algorithm>
-#include <array>
 
 namespace suture::mvs {
 namespace {

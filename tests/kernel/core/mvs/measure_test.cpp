@@ -1,5 +1,6 @@
 #include "suture/fill/mvs/measure.h"
 
+#include "kernel/core/mvs/nets.h"
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -11,23 +12,8 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-// A net whose poles stand on a surface at the Greville abscissae: near it, and of its topology.
 Net net_on(const std::function<Vector3d(double, double)>& surface) {
-    Net net{uniform_axis(-1.0, 1.0, 8), uniform_axis(-1.2, 1.2, 10), {}};
-    net.poles.resize(3, net.u.count() * net.v.count());
-    const auto greville = [](const Axis& axis, int i) {
-        double sum = 0.0;
-        for (int k = 1; k <= kDegree; ++k) {
-            sum += axis.knots[static_cast<std::size_t>(i + k)];
-        }
-        return sum / kDegree;
-    };
-    for (int j = 0; j < net.v.count(); ++j) {
-        for (int i = 0; i < net.u.count(); ++i) {
-            net.poles.col(i + net.u.count() * j) = surface(greville(net.u, i), greville(net.v, j));
-        }
-    }
-    return net;
+    return test::net_on(surface, uniform_axis(-1.0, 1.0, 8), uniform_axis(-1.2, 1.2, 10));
 }
 
 std::vector<Eigen::Matrix2Xd> square(double half) {

@@ -2,8 +2,7 @@
 
 #include "suture/base/tolerance.h"
 
-#include <Eigen/Geometry>
-
+#include "kernel/core/mvs/nets.h"
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -14,25 +13,9 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-// X(u, v) = (u, 2 v, u - v), by its values at the Greville abscissae.
 Net plane(int spans_u, int spans_v) {
-    Net net{uniform_axis(-1.0, 2.0, spans_u), uniform_axis(0.0, 5.0, spans_v), {}};
-    net.poles.resize(3, static_cast<Eigen::Index>(net.u.count()) * net.v.count());
-    const auto greville = [](const Axis& axis, int i) {
-        double sum = 0.0;
-        for (int k = 1; k <= kDegree; ++k) {
-            sum += axis.knots[static_cast<std::size_t>(i + k)];
-        }
-        return sum / kDegree;
-    };
-    for (int j = 0; j < net.v.count(); ++j) {
-        for (int i = 0; i < net.u.count(); ++i) {
-            const double u = greville(net.u, i);
-            const double v = greville(net.v, j);
-            net.poles.col(i + net.u.count() * j) = Vector3d(u, 2.0 * v, u - v);
-        }
-    }
-    return net;
+    return test::net_on([](double u, double v) { return Vector3d(u, 2.0 * v, u - v); },
+                        uniform_axis(-1.0, 2.0, spans_u), uniform_axis(0.0, 5.0, spans_v));
 }
 
 Eigen::Matrix2Xd disc(Vector2d centre, double radius) {
