@@ -176,6 +176,9 @@ std::string verdict_of(const CheckSummary& summary, const Profile& profile) {
     if (summary.knot_near_misses > 0) {
         kinds += fmt::format("; {} inside faces", counted(summary.knot_near_misses, "near miss"));
     }
+    if (summary.edges == 0) {
+        return "no edge has two faces: there is nothing to measure";
+    }
     if (summary.pass()) {
         return fmt::format("all of {} pass ({}): {}", counted(summary.edges, "edge"), limits,
                            kinds);
