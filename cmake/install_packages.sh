@@ -24,9 +24,9 @@ if ! command -v dpkg-query >/dev/null || ! command -v apt-get >/dev/null; then
     exit 1
 fi
 
-# dpkg-query complains about names it has never heard of, and prints the others.
-installed=$(dpkg-query -W -f '${db:Status-Status} ${Package}\n' $wanted 2>/dev/null |
-    sed -n 's/^installed //p') || true
+# What is installed, and what it stands for: Debian 13 has lib3mf1t64, which provides lib3mf1.
+installed=$(dpkg-query -W -f '${db:Status-Status} ${Package}, ${Provides}\n' |
+    sed -n 's/^installed //p' | tr -d ' ' | tr ',' '\n' | sed 's/(.*//')
 missing=$(for package in $wanted; do
     printf '%s\n' "$installed" | grep -qxF -e "$package" || echo "$package"
 done)

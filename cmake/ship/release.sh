@@ -14,8 +14,12 @@ cmake -S . --preset release --log-level=NOTICE
 rm -rf "$out/ship"
 cmake --build "$out" --target suture describe bundle wheel source_archive
 (cd "$out" && cpack -G DEB --config CPackConfig.cmake)
+# Debian 13's, where that root can be made (docs/ship.md).
+[ -n "${SUTURE_NO_DEBIAN13-}" ] || { "$root/tests/debian13/run.sh" make && "$root/tests/debian13/run.sh" build &&
+    "$root/tests/debian13/run.sh" deb; }
 cd "$out/ship"
 cp suture-*-linux-x86_64/share/doc/suture/suture.spdx.json "$(basename suture-*-linux-x86_64.tar.xz .tar.xz).spdx.json"
-sha256sum ./*.tar.xz ./*.whl ./*.deb ./*.spdx.json >SHA256SUMS
+find . -maxdepth 2 \( -name "*.tar.xz" -o -name "*.whl" -o -name "*.deb" -o -name "*.spdx.json" \) \
+    -not -path "./suture-*/*" -exec sha256sum {} + | sort -k 2 >SHA256SUMS
 [ -n "${SUTURE_NO_TRY-}" ] || "$root/tests/ship/run.sh" all
 cat SHA256SUMS

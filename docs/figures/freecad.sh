@@ -2,7 +2,7 @@
 # Makes the pictures of docs/freecad.md anew: ./docs/figures/freecad.sh [PROGRAM], from any folder. It walks
 # through FreeCAD's window on a screen of its own, as the test does. PROGRAM: by default what ./suture
 # has built. Needs what ./test installs. Those in the repository are of FreeCAD 1.0:
-#     tests/debian13/run.sh sh "$PWD/docs/figures/freecad.sh" /build/bin/suture
+#     tests/debian13/run.sh sh docs/figures/freecad.sh
 set -eu
 cd "$(dirname "$0")/../.."
 program=${1:-$PWD/build/release/bin/suture}

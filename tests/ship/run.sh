@@ -6,7 +6,7 @@
 #   run.sh roots           makes the bare roots (once, some minutes)
 #   run.sh bundle          the bundle, without network, without root's rights
 #   run.sh wheel           the wheel, by pip, without network
-#   run.sh deb             the Debian package, by apt, in the root of this system's Debian
+#   run.sh deb             the Debian packages, by apt, each in the root of the Debian that it was built on
 #   run.sh all             these in turn
 #
 # SUTURE_ROOTS    where the bare roots are, by default ~/.cache/suture-bare
@@ -91,12 +91,20 @@ wheel() {
     done
 }
 
-# Each distribution has packages of its own: those that were built on this one are tried in its root.
+# Each distribution has packages of its own: those of this one in ship, those of another in a folder of its name.
 deb() {
-    dist=$(. /etc/os-release && echo "$VERSION_CODENAME")
-    fresh "$dist"
-    echo "=== deb in $dist"
-    cp "$ship"/*.deb "$root/home/user/"
+    for dist in $dists; do
+        packages=$ship
+        [ "$dist" = "$(. /etc/os-release && echo "$VERSION_CODENAME")" ] || packages=$ship/$dist
+        ls "$packages"/suture_*.deb >/dev/null
+        deb_in "$dist"
+    done
+}
+
+deb_in() {
+    fresh "$1"
+    echo "=== deb in $1"
+    cp "$packages"/*.deb "$root/home/user/"
     given man-db bash-completion
     chroot "$root" sh -c 'dpkg --get-selections | sort' >"$scratch/before"
     given /home/user/suture_*.deb
