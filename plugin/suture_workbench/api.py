@@ -56,7 +56,7 @@ def fill(obj, edges=(), faces=(), through=(), **options):
 
     through   [(object, ("Edge1", "Vertex2")), ...] that the new face passes through
     options   those of FillOptions: method, continuity, sides, points, gap, angle, curvature,
-              own, recognise, one_face, all_loops
+              own, recognise, effort, one_face, all_loops
     """
     base = places.base_of(obj)
     chosen = FillOptions(edges_for(base, edges, faces), **options)
@@ -135,6 +135,32 @@ def sew(obj):
     document.commitTransaction()
     App.Console.PrintMessage(f"{sewn.Label}: {words.sewn(sewing)}\n")
     return sewn
+
+
+def patch(file, document=None, **own):
+    """An object with the smooth many-sided patch of a control mesh in an OBJ file.
+
+    own   options of `suture patch`: k, aperture, tolerance, exact=True, quads=True
+    """
+    return keep_surface(*waiting.run(tasks.MakeSurface("patch", Path(file), own)), file, document)
+
+
+def algebraic(file, document=None):
+    """An object with the surface that polynomials in a JSON file describe."""
+    return keep_surface(*waiting.run(tasks.MakeSurface("algebraic", Path(file))), file, document)
+
+
+def keep_surface(shape, answer, file, document=None):
+    """Makes a surface an object of a document, by default the active one, in one step of undo."""
+    document = document or App.ActiveDocument or App.newDocument()
+    document.openTransaction(words.surface_name(answer["command"]))
+    obj = document.addObject("Part::Feature", "Surface")
+    obj.Label = Path(file).stem
+    obj.Shape = shape
+    document.recompute()
+    document.commitTransaction()
+    App.Console.PrintMessage(f"{obj.Label}: {words.surface_summary(answer)[0]}\n")
+    return obj
 
 
 def keep(request, filled, options, through=(), edited=None):

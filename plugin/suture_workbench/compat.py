@@ -24,6 +24,11 @@ def translate(text):
     return App.Qt.translate("Suture", text)
 
 
+def translate_in(context, text):
+    """`text` in the user's language, where it stands in a context of its own."""
+    return App.Qt.translate(context, text)
+
+
 def QT_TRANSLATE_NOOP(context, text):
     """`text` as it is, which Qt translates in a context of its own (a command's, by FreeCAD)."""
     return text

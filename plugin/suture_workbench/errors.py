@@ -40,9 +40,3 @@ def edges_named_in(text):
     """The numbers of the edges that a sentence of the program names, in order, each once."""
     numbers = re.findall(r"Edge(\d+)", in_freecads_words(text))
     return list(dict.fromkeys(map(int, numbers)))
-
-
-def failure(text):
-    """The program's sentence as an error that knows its edges."""
-    text = text.replace("`suture inspect` lists", "Find holes lists")
-    return SutureError(in_freecads_words(text), edges_named_in(text))

@@ -8,8 +8,10 @@ from pathlib import Path
 import FreeCAD as App
 
 from . import reports, tasks, waiting, words
+from .compat import translate
 from .errors import NothingToDo
 from .options import FillOptions
+from .said import in_users_words
 
 
 def export(objects, filename):
@@ -28,7 +30,8 @@ def export(objects, filename):
     report = reports.fill(document)
     if not report.ok:
         App.Console.PrintWarning(f"{target.name}: {words.shortfall(report)}\n")
-    return report.verdict
+    lost = [in_users_words(sentence) for sentence in document.get("lost") or []]
+    return " ".join([words.fill_summary(report).replace("\n", " "), *lost])
 
 
 def _write_step(objects, path):
@@ -43,5 +46,6 @@ def _write_unfilled(plain, target):
     """There was no hole: the file as it is, converted where it has to be."""
     if target.suffix.lower() in (".step", ".stp"):
         shutil.copyfile(plain, target)
-        return "no hole"
-    return waiting.run(tasks.ConvertFile(plain, target))["verdict"]
+    else:
+        waiting.run(tasks.ConvertFile(plain, target))
+    return translate("There is no hole.")

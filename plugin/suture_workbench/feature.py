@@ -7,10 +7,10 @@ import json
 
 import FreeCAD as App
 
-from . import exchange, marks, places, reports, tasks, waiting, words
+from . import exchange, marks, naming, places, reports, tasks, waiting, words
 from .compat import Stateless, element_of, translate, without_traceback
 from .errors import ProgramMissing, SutureError
-from .options import RECOGNISE, TASKS, FillOptions
+from .options import EFFORTS, RECOGNISE, TASKS, FillOptions
 from .program import methods
 from .properties import add_properties, set_choice
 from .sources import Sources
@@ -88,6 +88,7 @@ class Request:
             curvature=obj.Curvature,
             own=dict(entry.split("=", 1) for entry in obj.MethodOptions if "=" in entry),
             recognise=obj.Recognise,
+            effort=obj.Effort,
             one_face=obj.OneFace,
             all_loops=obj.AllLoops,
             keep_bad=obj.KeepBad,
@@ -152,6 +153,7 @@ def set_options(obj, options, through=(), others=()):
     obj.MethodOptions = [f"{key}={value}" for key, value in options.own.items()]
     obj.Continuity = options.continuity
     set_choice(obj, "Recognise", RECOGNISE, options.recognise)
+    set_choice(obj, "Effort", EFFORTS, options.effort)
     for wanted in ("G0", "G1", "G2"):
         edges = [f"Edge{edge}" for edge, asked in options.sides.items() if asked == wanted]
         setattr(obj, "Edges" + wanted, (base, edges) if edges else None)
@@ -168,6 +170,7 @@ def set_options(obj, options, through=(), others=()):
 
 def store(obj, request, filled):
     """Makes the program's answer the object's shape."""
+    naming.carry_over(filled.shape, request.shape, filled.origins, obj.ID)
     obj.Shape = filled.shape
     _place(obj, request)
     report = filled.report

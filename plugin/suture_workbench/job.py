@@ -15,7 +15,8 @@ import weakref
 
 from . import program
 from .compat import translate
-from .errors import Cancelled, NothingToDo, ProgramMissing, SutureError, failure
+from .errors import Cancelled, NothingToDo, ProgramMissing, SutureError
+from .said import failure, in_users_words
 
 DONE, USAGE, UNREADABLE, NOTHING_TO_DO, OUT_OF_TOLERANCE = 0, 1, 2, 3, 4
 # The program itself stops what it does by force after as long.
@@ -79,7 +80,7 @@ class Job:
         for line in whole.splitlines():
             try:
                 said = json.loads(line)
-                self._progress = (float(said["progress"]), str(said["stage"]))
+                self._progress = (float(said["progress"]), in_users_words(str(said["stage"])))
             except (ValueError, KeyError, TypeError):
                 continue  # a message, not progress
         return self._progress
@@ -115,7 +116,8 @@ class Job:
         except (ValueError, AttributeError, UnicodeDecodeError) as error:
             raise SutureError(self._no_answer(code)) from error
         if code == NOTHING_TO_DO:
-            raise NothingToDo(said or answer.get("verdict", translate("There is no hole.")))
+            said = said or answer.get("verdict", "")
+            raise NothingToDo(in_users_words(said) or translate("There is no hole."))
         if code not in (DONE, OUT_OF_TOLERANCE):
             raise failure(said or self._no_answer(code))
         return answer

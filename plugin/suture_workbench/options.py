@@ -8,9 +8,12 @@ from . import program, settings
 
 CONTINUITIES = ["auto", "G0", "G1", "G2"]
 RECOGNISE = ["model", "neighbours", "off"]
+EFFORTS = ["quick", "normal", "thorough"]
 # What is filled: holes of a shape; a border of chosen edges; what lies between two edges or chains of
 # them; what chosen faces leave; or these go, and their neighbours grow together.
 TASKS = ["Holes", "Boundary", "Bridge", "Replace", "Remove"]
+# Surfaces that a file describes: a control mesh (OBJ), polynomials (JSON).
+SURFACES = {"patch": "*.obj", "algebraic": "*.json"}
 PROFILES = ["catia", "vda4955", "alias", "rhino", "occt"]
 
 
@@ -26,6 +29,7 @@ class FillOptions:
     sides        {edge: "G2"}: the continuity of single sides
     points       to pass through, as (x, y, z)
     recognise    where `auto` looks for the very surface that was lost: "model", "neighbours", "off"
+    effort       how much `auto` tries: one of EFFORTS
     own          {key: value}: the method's own options (program.options_of)
     keep_bad     put in what is bad (docs/judge.md) as well: the user has seen it
     """
@@ -44,6 +48,7 @@ class FillOptions:
         self.curvature = more.pop("curvature", None) or settings.curvature()
         self.own = {key: str(value) for key, value in (more.pop("own", None) or {}).items()}
         self.recognise = more.pop("recognise", None) or "model"
+        self.effort = more.pop("effort", None) or "normal"
         self.one_face = more.pop("one_face", False)
         self.all_loops = more.pop("all_loops", False)
         self.keep_bad = more.pop("keep_bad", False)
@@ -79,6 +84,8 @@ class FillOptions:
             words += ["--option", f"{key}={value}"]
         if self.recognise != "model":
             words += ["--recognise", self.recognise]
+        if self.effort != "normal":
+            words += ["--effort", self.effort]
         if self.all_loops:
             words.append("--all-loops")
         if self.keep_bad and program.judges():
@@ -87,7 +94,10 @@ class FillOptions:
 
     def key(self):
         """A text that is the same for the same options."""
-        return json.dumps(vars(self), sort_keys=True)
+        said = vars(self).copy()
+        if self.effort == "normal":
+            del said["effort"]  # documents of before it was there stay up to date
+        return json.dumps(said, sort_keys=True)
 
 
 class CheckOptions:

@@ -2,7 +2,7 @@
 """The properties of a filled shape. Documents name them: keep the names."""
 
 from .compat import mark, translate
-from .options import CONTINUITIES, RECOGNISE, TASKS
+from .options import CONTINUITIES, EFFORTS, RECOGNISE, TASKS
 from .program import methods
 
 # name, type, group, tooltip, editor mode (0 shown, 1 read-only, 2 hidden)
@@ -61,6 +61,13 @@ _PROPERTIES = [
         "App::PropertyEnumeration",
         "Fill",
         mark("Where the very surface that was lost is looked for: all faces, the neighbours, nowhere"),
+        0,
+    ),
+    (
+        "Effort",
+        "App::PropertyEnumeration",
+        "Fill",
+        mark("How much auto tries: what is quick, some seconds more, or all that may come nearer"),
         0,
     ),
     (
@@ -205,6 +212,8 @@ def add_properties(obj):
                 set_choice(obj, name, CONTINUITIES, "auto")
             elif name == "Recognise":
                 set_choice(obj, name, RECOGNISE, "model")
+            elif name == "Effort":
+                set_choice(obj, name, EFFORTS, "normal")
             elif name in ("Gap", "Angle", "Curvature"):
                 setattr(obj, name, {"Gap": 0.001, "Angle": 0.01, "Curvature": 2.0}[name])
         obj.setEditorMode(name, mode)

@@ -7,7 +7,8 @@ from collections import namedtuple
 
 from . import words
 from .compat import translate
-from .errors import SutureError, in_freecads_words
+from .errors import SutureError
+from .said import in_users_words
 
 FILLABLE = "hole"
 
@@ -30,7 +31,8 @@ class HoleFill(
     def recognised(self):
         """The surface that was found again, in words: "torus R = 12, r = 3, tangent to Face4"; else ""."""
         start = "recognised: "
-        return next((note[len(start) :] for note in self.notes if note.startswith(start)), "")
+        found = (note[len(start) :] for note in self.notes if note.startswith(start))
+        return in_users_words(next(found, ""))
 
 
 # What is not as it should be: severity "near", "poor", "bad" ("good" is left out), figures in `unit`.
@@ -55,7 +57,7 @@ class EdgeCheck(
         if self.proven:
             key, unit = {"gap": ("gap_bound", "mm"), "angle": ("angle_bound_deg", "°")}[figure]
             return translate("proven: nowhere above {:.3g} {}").format(self.certificate[key], unit)
-        reason = self.certificate.get("reason", "")
+        reason = in_users_words(self.certificate.get("reason", ""))
         return translate("not proven: {}").format(reason) if reason else ""
 
 
@@ -86,7 +88,7 @@ def holes(document):
         Hole(
             entry["id"],
             entry["kind"],
-            in_freecads_words(entry["reason"]),
+            in_users_words(entry["reason"]),
             list(entry["edges"]),
             list(entry["faces"]),
             float(entry["diameter"]),
@@ -125,13 +127,13 @@ def fill(document):
             entry["within_tolerance"],
             entry["max_gap"],
             entry["max_angle_deg"],
-            in_freecads_words(entry["reason"]),
+            in_users_words(entry["reason"]),
             [
                 Side(
                     side["edge"],
                     side["face"],
                     side["continuity_requested"],
-                    in_freecads_words(side["reason"]),
+                    in_users_words(side["reason"]),
                     side["max_gap"],
                     side["max_angle_deg"],
                     side["max_curvature_mismatch"],
@@ -139,7 +141,7 @@ def fill(document):
                 for side in entry["edges"]
             ],
             [patch["face"] for patch in entry["patches"]],
-            [in_freecads_words(note) for note in entry["notes"]],
+            list(entry["notes"]),
             [side["edge"] for side in entry["edges"]],
             entry.get("points_through") or 0,
             entry.get("max_distance_through"),
@@ -169,7 +171,7 @@ def _findings(entry):
             found["limit"],
             found["unit"],
             found["edge"],
-            in_freecads_words(found["text"]),
+            in_users_words(found["text"]),
         )
         for found in entry.get("findings") or []
         if not found["before"] and found["severity"] != "good"
@@ -221,7 +223,7 @@ def check(document):
             entry["curvature_at"],
             entry["length"],
             entry["samples"] > 0,
-            in_freecads_words(entry["note"]),
+            in_users_words(entry["note"]),
             entry.get("certificate") or {},
         )
         for entry in document["edges"]

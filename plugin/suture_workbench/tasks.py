@@ -270,6 +270,25 @@ class CheckContinuity(Task):
         return reports.check((yield arguments)), shape
 
 
+class MakeSurface(Task):
+    """A surface made from what a file describes. Result   (shape, the program's document)
+
+    command   one of options.SURFACES, `own` its options: {"k": 3}
+    """
+
+    def __init__(self, command, source, own=None):
+        self.command, self.source, self.own = command, source, own or {}
+        super().__init__()
+
+    def steps(self):
+        out = self.folder / ("out" + exchange.SUFFIX)
+        arguments = []
+        for key, value in self.own.items():
+            arguments += [f"--{key}"] if value is True else [f"--{key}", value]
+        document = yield [self.command, self.source, "-o", out, *arguments]
+        return exchange.unwrapped(exchange.read_shape(out)), document
+
+
 class ConvertFile(Task):
     """A file into another; with options filled on the way. Result   the program's document."""
 

@@ -2,7 +2,7 @@
 """What the panels say about the program's answers, in the user's language. Needs no window."""
 
 from .compat import translate
-from .errors import in_freecads_words
+from .said import in_users_words
 
 _HUGE = 10.0  # a miss by so many times the limit is bad, not just short of it
 
@@ -41,6 +41,14 @@ def task_name(task):
     }.get(task, translate("Fill holes"))
 
 
+def surface_name(command):
+    """What is done by one of options.SURFACES."""
+    return {
+        "patch": translate("Patch from a mesh"),
+        "algebraic": translate("Algebraic surface"),
+    }[command]
+
+
 def continuity_text(wanted):
     """What a wish for continuity means."""
     return {
@@ -67,6 +75,24 @@ def recognise_name(scope):
         "neighbours": translate("around the hole"),
         "off": translate("not at all"),
     }[scope]
+
+
+def effort_text(effort):
+    """How much the method auto tries where nothing is within tolerance at once."""
+    return {
+        "quick": translate("auto tries what is quick only."),
+        "normal": translate("auto takes some seconds more for a hole where it has to."),
+        "thorough": translate("auto tries all that can come nearer, however long it takes."),
+    }[effort]
+
+
+def effort_name(effort):
+    """The same in a word."""
+    return {
+        "quick": translate("quick"),
+        "normal": translate("normal"),
+        "thorough": translate("thorough"),
+    }[effort]
 
 
 def profile_text(profile):
@@ -180,7 +206,7 @@ def fill_summary(report):
 
 def _as_sentence(change):
     """What the program has done to faces before it filled anything."""
-    change = in_freecads_words(change)
+    change = in_users_words(change)
     return f"{change[0].upper()}{change[1:]}."
 
 
@@ -333,6 +359,45 @@ def check_summary(report):
                 certified["certified"], certified["edges"]
             )
         )
+    return "\n".join(lines), well
+
+
+def surface_summary(document):
+    """(sentence, whether all is well) of a surface that was made from a file."""
+    if document["command"] == "patch":
+        made = document
+        lines = [
+            translate("{} sides, {} layers of quads, smooth of order {} inside.").format(
+                made["sides"], made["layers"], made["k"]
+            )
+        ]
+        if not made["exact"]:
+            lines.append(
+                translate("The middle is fitted to within {:.2g} of the mesh's size.").format(
+                    made["fit_error"] / made["diameter"]
+                )
+            )
+    else:
+        made = document["faces"]
+        lines = [
+            translate("Polynomials of degree {} in {} cells, smooth of order {}.").format(
+                document["degree"], len(document["cells"]), document["k"]
+            ),
+            translate("The faces lie within {:.2g} mm and {:.2g}° of them.").format(
+                made["fit_error"], made["fit_angle_deg"]
+            ),
+        ]
+    shape = made["shape"]
+    lines.append(
+        translate("{} faces, largest gap {:.2g} mm, largest angle {:.2g}°.").format(
+            shape["faces"], made["max_gap"], made["max_angle_deg"]
+        )
+    )
+    if not shape["valid"]:
+        lines.append(translate("The shape is not valid (Part > Check geometry says where)."))
+    well = document["exit_code"] == 0
+    if not well and shape["valid"]:
+        lines.append(translate("The tolerances are not met."))
     return "\n".join(lines), well
 
 

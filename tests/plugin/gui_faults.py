@@ -243,6 +243,9 @@ def language(driver):
     yield driver.preview()
     driver.said["status"] = driver.status()
     driver.said["label"] = driver.find("gapLabel", QtGui.QLabel).text() if driver.there("gapLabel") else ""
+    driver.choose("SutureMethod", "extend")
+    yield driver.until("the refusal", lambda: driver.settled() and driver.state() == "bad")
+    driver.said["refusal"] = driver.status()
     driver.picture("german")
 
 

@@ -94,6 +94,13 @@ def narrow(driver):
     yield from look_at_panel(driver, "ConvertPanel", "convert")
     driver.press(CLOSE)
     yield driver.until("the panel to close", lambda: not driver.dialog_open())
+    for name in ("Patch", "Algebraic"):
+        yield from driver.tool(f"Suture_{name}")
+        yield driver.until("the panel", lambda: driver.there("SurfacePanel"))
+        driver.panel_width(WIDTH)
+        yield from look_at_panel(driver, "SurfacePanel", name.lower())
+        driver.press(CANCEL)
+        yield driver.until("the panel to close", lambda: not driver.dialog_open())
     from suture_workbench.gui.program_dialog import ProgramDialog
 
     dialog = ProgramDialog()

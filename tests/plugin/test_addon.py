@@ -12,7 +12,8 @@ from headless import CORNER, EXAMPLES, ROOT, Case, example  # first: it makes Fr
 import FreeCAD as App  # noqa: E402
 import Part  # noqa: E402
 from suture_workbench import combs, exchange, meshes  # noqa: E402
-from suture_workbench.errors import failure, in_freecads_words  # noqa: E402
+from suture_workbench.errors import in_freecads_words  # noqa: E402
+from suture_workbench.said import failure  # noqa: E402
 from suture_workbench.options import FillOptions  # noqa: E402
 from time_limits import limit  # noqa: E402
 

@@ -181,7 +181,7 @@ class Commands(Case):
                 report = json.loads(done.stdout)
                 self.assertTrue(report["shape"]["closed"], name)
                 self.assertLess(report["summary"]["max_angle_deg"], 0.01, name)
-            self.assertEqual(api.export([closed], Path(folder) / "b.step"), "no hole")
+            self.assertEqual(api.export([closed], Path(folder) / "b.step"), "There is no hole.")
             api.export([closed], Path(folder) / "b.iges")
             self.assertTrue(
                 (Path(folder) / "b.step").exists() and (Path(folder) / "b.iges").exists()

@@ -276,6 +276,7 @@ class Faults(unittest.TestCase):
         said, _ = carry_out("gui_faults.language")
         self.assertEqual(said["texts"], ["Find holes…", "Löcher finden…"])
         self.assertIn("1 Loch gefüllt", said["status"])
+        self.assertIn("die Nachbarn liegen auf verschiedenen Flächen", said["refusal"])
 
     def test_a_bad_fill_is_kept_only_if_the_user_says_so(self):
         said, _ = carry_out("gui_faults.bad_fill")
@@ -318,6 +319,20 @@ class Elements(unittest.TestCase):
         self.assertAlmostEqual(said["replaced"][1], 6000, delta=6e-6)
         self.assertEqual(said["replaced"][2], ["Face2"])
         self.assertEqual((said["drawn"], any(said["cut_off"].values())), (0, False), said["cut_off"])
+
+
+@unittest.skipUnless(shutil.which("xvfb-run"), "xvfb-run is not installed")
+class Surfaces(unittest.TestCase):
+    def test_files_become_surfaces_and_cancel_leaves_nothing(self):
+        said, _ = carry_out("gui_surfaces.surfaces")
+        self.assertIn("Choose the file", said["hint"])
+        self.assertEqual((said["patch"][0], said["algebraic"][0]), ("good", "good"))
+        self.assertIn("5 sides, 5 layers", said["patch"][1])
+        self.assertIn("degree 3 in 3 cells", said["algebraic"][1])
+        self.assertEqual((said["objects"], said["undo"]), ([0, 1, 1], 1))
+        self.assertEqual((said["label"], said["drawn"], said["folded"]), ("star", [1, 0], False))
+        self.assertEqual(said["bad"][0], "bad")
+        self.assertIn("bad.json", said["bad"][1])
 
 
 @unittest.skipUnless(shutil.which("xvfb-run"), "xvfb-run is not installed")

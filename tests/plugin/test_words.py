@@ -12,7 +12,7 @@ from headless import ROOT, Case, example  # first: it makes FreeCAD importable
 
 import FreeCAD as App  # noqa: E402
 import Part  # noqa: E402
-from suture_workbench import api, compat, facing, readout, words  # noqa: E402
+from suture_workbench import api, compat, facing, readout, said, words  # noqa: E402
 from suture_workbench.errors import SutureError  # noqa: E402
 
 PLUGIN = ROOT / "plugin/suture_workbench"
@@ -146,14 +146,87 @@ class Words(Case):
         self.assertGreater(facing.outward(lidless, hole.edges, hole.faces).dot(lid), 0.99)
 
 
+def texts_of(language):
+    """{(context, text): translation}"""
+    root = ElementTree.parse(PLUGIN / f"resources/translations/Suture_{language}.ts").getroot()
+    return {
+        (context.findtext("name"), message.findtext("source")): message.findtext("translation")
+        for context in root.iter("context")
+        for message in context.iter("message")
+    }
+
+
+class ProgramsWords(Case):
+    """Sentences of the program, as a user in German reads them."""
+
+    ENGLISH = re.compile(r"\b(the|of|its?|is|are|has|no|not|and|with|lies?|edges?|faces?|holes?|all)\b")
+
+    def setUp(self):
+        super().setUp()
+        known = texts_of("de")
+        before = said.translate_in
+        said.translate_in = lambda context, text: known.get((context, text)) or text
+        self.addCleanup(setattr, said, "translate_in", before)
+
+    def assert_german(self, text):
+        self.assertIsNone(self.ENGLISH.search(text), text)
+
+    def refusals(self, shape, **options):
+        with self.assertRaises(SutureError) as caught:
+            api.fill(self.add(shape), **options)
+        return str(caught.exception)
+
+    def test_why_a_loop_is_a_hole_or_none(self):
+        disc = Part.makeCylinder(2, 1, App.Vector(5, 5, -0.5))
+        shape = Part.Compound([Part.makePlane(10, 10).cut(disc), example("pipe_elbow")])
+        holes = api.find_holes(self.add(shape)).report.holes
+        self.assertGreater(len(holes), 3)
+        for hole in holes:
+            self.assert_german(hole.reason)
+        self.assertIn("die Schale dreht sich daran um", holes[0].reason)
+
+    def test_refusals_of_every_method(self):
+        for name, methods in (
+            ("bump_window", ("plane", "quad", "loft", "manifold", "concentric")),
+            ("suitcase_corner", ("extend", "quad", "loft")),
+        ):
+            for method in methods:
+                text = self.refusals(example(name), method=method)
+                self.assert_german(text.split("refused: ", 1)[1])
+        text = self.refusals(example(), method="plane")
+        self.assertRegex(text, r"das Loch ist nicht eben: Edge\d+ \(Face\d+\) verlässt")
+        self.assert_german(self.refusals(example(), edges=[1]))
+        self.assert_german(self.refusals(example(), method="mvs", own={"tall": 1}))
+
+    def test_sides_stages_and_what_was_recognised(self):
+        from suture_workbench import reports
+
+        filled = api.fill(self.add(example()), method="auto")
+        for hole in reports.fill(json.loads(filled.Report)).holes:
+            for side in hole.sides:
+                self.assert_german(side.reason)
+        self.assertEqual(said.in_your_language("filling holes, 3 of 7 done"), "füllt Löcher, 3 von 7 fertig")
+        text = said.in_users_words("torus R = 12, r = 3, tangent to faces 4, 7")
+        self.assertEqual(text, "Torus R = 12, r = 3, tangential zu Face4, Face7")
+
+    def test_options_of_the_methods(self):
+        from suture_workbench import program
+
+        for method in program.methods():
+            for option in program.options_of(method):
+                self.assert_german(said.in_your_language(option["text"]))
+
+    def test_what_nobody_has_translated_stays(self):
+        self.assertEqual(said.in_your_language("a sentence of tomorrow"), "a sentence of tomorrow")
+        self.assertEqual(
+            said.in_your_language("a sentence of tomorrow: OCCT's filling found no surface"),
+            "a sentence of tomorrow: die Füllung von OCCT fand keine Fläche",
+        )
+
+
 class Translations(unittest.TestCase):
     def texts(self, language):
-        root = ElementTree.parse(PLUGIN / f"resources/translations/Suture_{language}.ts").getroot()
-        return {
-            (context.findtext("name"), message.findtext("source")): message.findtext("translation")
-            for context in root.iter("context")
-            for message in context.iter("message")
-        }
+        return texts_of(language)
 
     def test_german_is_complete(self):
         known = self.texts("de")

@@ -127,6 +127,23 @@ def combs():
     toggle_combs(pick.target())
 
 
+def _open_surface(command):
+    from .surface_panel import SurfacePanel
+
+    if Gui.Control.activeDialog():
+        raise SutureError(translate("Finish the open task first."))
+    document = App.ActiveDocument or App.newDocument()
+    SurfacePanel(command).show(document)
+
+
+def patch():
+    _open_surface("patch")
+
+
+def algebraic():
+    _open_surface("algebraic")
+
+
 def convert():
     from .convert_panel import ConvertPanel
 
@@ -218,6 +235,22 @@ _COMMANDS = [
         "U, K",
         combs,
         _document,
+    ),
+    (
+        "Suture_Patch",
+        QT_TRANSLATE_NOOP("Suture_Patch", "Patch from a mesh…"),
+        QT_TRANSLATE_NOOP("Suture_Patch", "Make a smooth many-sided surface from a control mesh of quads, an OBJ file"),
+        "U, P",
+        patch,
+        lambda: True,
+    ),
+    (
+        "Suture_Algebraic",
+        QT_TRANSLATE_NOOP("Suture_Algebraic", "Algebraic surface…"),
+        QT_TRANSLATE_NOOP("Suture_Algebraic", "Make the surface that joins others given by polynomials, in a JSON file"),
+        "U, A",
+        algebraic,
+        lambda: True,
     ),
     (
         "Suture_Convert",

@@ -104,7 +104,8 @@ class ConvertPanel(Panel):
         source = self._waiting.pop(0)
         row = self._list().item(self.files.index(source))
         row.setText(f"{source.name} → {self.target(source).name}")
-        row.setToolTip(document["verdict"])
+        if "holes" in document:
+            row.setToolTip(words.fill_summary(reports.fill(document)))
         if "holes" in document and not reports.fill(document).ok:
             row.setToolTip(words.shortfall(reports.fill(document)))
             row.setText(row.text() + " " + translate("(see tooltip)"))

@@ -7,7 +7,7 @@ import FreeCADGui as Gui
 from .. import RESOURCES, api, feature, places, reports, settings, tasks, words
 from ..compat import QtCore, QtWidgets, translate
 from ..errors import SutureError
-from ..options import CONTINUITIES, RECOGNISE, FillOptions
+from ..options import CONTINUITIES, EFFORTS, RECOGNISE, FillOptions
 from ..program import methods, title_of
 from . import failures
 from .choice import Choice
@@ -115,6 +115,15 @@ class FillPanel(Panel):
             name=words.recognise_name,
             text=words.recognise_text,
         )
+        self.effort = Choice(
+            self.form,
+            "SutureEffort",
+            None,
+            EFFORTS,
+            name=words.effort_name,
+            text=words.effort_text,
+        )
+        self.effort.choose("normal")
         self.own.show_method(self.method.key())
         self.method.changed.connect(lambda: self.own.show_method(self.method.key()))
         self.gap, self.angle, self.curvature = limit_boxes(self.form)
@@ -125,6 +134,7 @@ class FillPanel(Panel):
             self.method.changed,
             self.continuity.changed,
             self.recognise.changed,
+            self.effort.changed,
             self.gap.valueChanged,
             self.angle.valueChanged,
             self.curvature.valueChanged,
@@ -150,13 +160,15 @@ class FillPanel(Panel):
         self.continuity.choose(options.continuity)
         self.own.set(options.own)
         self.recognise.choose(options.recognise)
+        self.effort.choose(options.effort)
         self.gap.setValue(options.gap)
         self.angle.setValue(options.angle)
         self.curvature.setValue(options.curvature)
         self.child("SutureOneFace").setChecked(options.one_face)
         self.sides.wanted = dict(options.sides)
         self.through.set(obj.Through, [tuple(point) for point in obj.Points])
-        changed = options.one_face or options.own or options.recognise != "model"
+        changed = options.one_face or options.own
+        changed = changed or options.recognise != "model" or options.effort != "normal"
         if changed or obj.Through or obj.Points:
             self.child("SutureMore", QtWidgets.QToolButton).setChecked(True)
 
@@ -172,6 +184,7 @@ class FillPanel(Panel):
             points=self.through.points,
             own=self.own.values(),
             recognise=self.recognise.key(),
+            effort=self.effort.key(),
             gap=self.gap.value(),
             angle=self.angle.value(),
             curvature=self.curvature.value(),

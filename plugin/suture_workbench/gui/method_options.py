@@ -3,6 +3,7 @@
 
 from .. import program, words
 from ..compat import QtCore, QtWidgets
+from ..said import in_users_words
 
 
 class MethodOptions(QtWidgets.QWidget):
@@ -28,12 +29,13 @@ class MethodOptions(QtWidgets.QWidget):
             key, choices = option["key"], option["value"].split("|")
             field = self._choice(choices) if len(choices) > 1 else self._line(option["value"])
             field.setObjectName(f"SutureOption_{key}")
-            field.setToolTip(option["text"])
+            text = in_users_words(option["text"])
+            field.setToolTip(text)
             self._fields[key] = field
             self._put(key, self._values.get((method, key), ""))
             name = words.option_name(key)
             self._layout.addRow(name, field)
-            self._layout.labelForField(field).setToolTip(f"{key}: {option['text']}")
+            self._layout.labelForField(field).setToolTip(f"{key}: {text}")
         self.setVisible(bool(self._fields))
         self._show_heading(bool(self._fields))
 

@@ -39,6 +39,11 @@
       <translation>sie enthält keine Fläche</translation>
     </message>
     <message>
+      <location filename="suture_workbench/exporter.py" />
+      <source>There is no hole.</source>
+      <translation>Es gibt kein Loch.</translation>
+    </message>
+    <message>
       <location filename="suture_workbench/exporting.py" />
       <source>Export stopped: {} was not written.</source>
       <translation>Export abgebrochen: {} wurde nicht geschrieben.</translation>
@@ -287,11 +292,6 @@
       <location filename="suture_workbench/gui/failures.py" />
       <source>These files are there already:</source>
       <translation>Diese Dateien gibt es schon:</translation>
-    </message>
-    <message>
-      <location filename="suture_workbench/gui/failures.py" />
-      <source>There is no hole.</source>
-      <translation>Es gibt kein Loch.</translation>
     </message>
     <message>
       <location filename="suture_workbench/gui/fill_panel.py" />
@@ -549,6 +549,41 @@
       <translation>Zebrastreifen</translation>
     </message>
     <message>
+      <location filename="suture_workbench/gui/surface_panel.py" />
+      <source>Choose the file.</source>
+      <translation>Wählen Sie die Datei.</translation>
+    </message>
+    <message>
+      <location filename="suture_workbench/gui/surface_panel.py" />
+      <source>Wait until the surface is there.</source>
+      <translation>Warten Sie, bis die Fläche da ist.</translation>
+    </message>
+    <message>
+      <location filename="suture_workbench/gui/surface_panel.py" />
+      <source>The mesh: layers of quads around a hole of three or more sides, in an OBJ file. The surface follows it as a B-spline follows its control points.</source>
+      <translation>Das Netz: Schichten von Vierecken um ein Loch mit drei oder mehr Seiten, in einer OBJ-Datei. Die Fläche folgt ihm wie ein B-Spline seinen Kontrollpunkten.</translation>
+    </message>
+    <message>
+      <location filename="suture_workbench/gui/surface_panel.py" />
+      <source>The problem: polynomials and planes around a hole, in a JSON file. The surface joins them, computed in exact arithmetic.</source>
+      <translation>Die Aufgabe: Polynome und Ebenen um ein Loch, in einer JSON-Datei. Die Fläche verbindet sie, in exakter Arithmetik gerechnet.</translation>
+    </message>
+    <message>
+      <location filename="suture_workbench/gui/surface_panel.py" />
+      <source>quads, or exact where these do not do</source>
+      <translation>Vierecke, oder exakt, wo diese nicht genügen</translation>
+    </message>
+    <message>
+      <location filename="suture_workbench/gui/surface_panel.py" />
+      <source>fitted quads</source>
+      <translation>angepasste Vierecke</translation>
+    </message>
+    <message>
+      <location filename="suture_workbench/gui/surface_panel.py" />
+      <source>exact cells</source>
+      <translation>exakte Zellen</translation>
+    </message>
+    <message>
       <location filename="suture_workbench/gui/through_list.py" />
       <source>Points to pass through</source>
       <translation>Punkte, durch die es gehen soll</translation>
@@ -716,6 +751,11 @@ oder installieren oder angeben, wo es ist: Bearbeiten &gt; Einstellungen &gt; Su
       <location filename="suture_workbench/properties.py" />
       <source>Where the very surface that was lost is looked for: all faces, the neighbours, nowhere</source>
       <translation>Wo genau die verlorene Fläche gesucht wird: auf allen Flächen, auf den Nachbarn, nirgends</translation>
+    </message>
+    <message>
+      <location filename="suture_workbench/properties.py" />
+      <source>How much auto tries: what is quick, some seconds more, or all that may come nearer</source>
+      <translation>Wie viel auto versucht: was schnell geht, einige Sekunden mehr, oder alles, was näher kommen kann</translation>
     </message>
     <message>
       <location filename="suture_workbench/properties.py" />
@@ -904,6 +944,16 @@ oder installieren oder angeben, wo es ist: Bearbeiten &gt; Einstellungen &gt; Su
     </message>
     <message>
       <location filename="suture_workbench/words.py" />
+      <source>Patch from a mesh</source>
+      <translation>Fläche aus einem Netz</translation>
+    </message>
+    <message>
+      <location filename="suture_workbench/words.py" />
+      <source>Algebraic surface</source>
+      <translation>Algebraische Fläche</translation>
+    </message>
+    <message>
+      <location filename="suture_workbench/words.py" />
       <source>Tangent wherever the neighbours allow it, else in position only.</source>
       <translation>Tangential, wo die Nachbarn es erlauben, sonst nur in der Lage.</translation>
     </message>
@@ -954,6 +1004,36 @@ oder installieren oder angeben, wo es ist: Bearbeiten &gt; Einstellungen &gt; Su
     </message>
     <message>
       <location filename="suture_workbench/words.py" />
+      <source>auto tries what is quick only.</source>
+      <translation>auto versucht nur, was schnell geht.</translation>
+    </message>
+    <message>
+      <location filename="suture_workbench/words.py" />
+      <source>auto takes some seconds more for a hole where it has to.</source>
+      <translation>auto nimmt sich einige Sekunden mehr für ein Loch, wo es nötig ist.</translation>
+    </message>
+    <message>
+      <location filename="suture_workbench/words.py" />
+      <source>auto tries all that can come nearer, however long it takes.</source>
+      <translation>auto versucht alles, was näher kommen kann, wie lange es auch dauert.</translation>
+    </message>
+    <message>
+      <location filename="suture_workbench/words.py" />
+      <source>quick</source>
+      <translation>schnell</translation>
+    </message>
+    <message>
+      <location filename="suture_workbench/words.py" />
+      <source>normal</source>
+      <translation>normal</translation>
+    </message>
+    <message>
+      <location filename="suture_workbench/words.py" />
+      <source>thorough</source>
+      <translation>gründlich</translation>
+    </message>
+    <message>
+      <location filename="suture_workbench/words.py" />
       <source>Click a row to see it.</source>
       <translation>Eine Zeile anklicken, um es zu sehen.</translation>
     </message>
@@ -961,6 +1041,11 @@ oder installieren oder angeben, wo es ist: Bearbeiten &gt; Einstellungen &gt; Su
       <location filename="suture_workbench/words.py" />
       <source>Edge numbers are those after the loose faces were sewn.</source>
       <translation>Die Kantennummern gelten nach dem Zusammennähen der losen Flächen.</translation>
+    </message>
+    <message>
+      <location filename="suture_workbench/words.py" />
+      <source>The tolerances are not met.</source>
+      <translation>Die Toleranzen sind nicht eingehalten.</translation>
     </message>
     <message>
       <location filename="suture_workbench/words.py" />
@@ -1214,6 +1299,11 @@ oder installieren oder angeben, wo es ist: Bearbeiten &gt; Einstellungen &gt; Su
     </message>
     <message>
       <location filename="suture_workbench/words.py" />
+      <source>{} faces, largest gap {:.2g} mm, largest angle {:.2g}°.</source>
+      <translation>{} Flächen, größter Spalt {:.2g} mm, größter Winkel {:.2g}°.</translation>
+    </message>
+    <message>
+      <location filename="suture_workbench/words.py" />
       <source>Closing point</source>
       <translation>Schlusspunkt</translation>
     </message>
@@ -1339,6 +1429,21 @@ oder installieren oder angeben, wo es ist: Bearbeiten &gt; Einstellungen &gt; Su
     </message>
     <message>
       <location filename="suture_workbench/words.py" />
+      <source>{} sides, {} layers of quads, smooth of order {} inside.</source>
+      <translation>{} Seiten, {} Schichten von Vierecken, innen glatt von der Ordnung {}.</translation>
+    </message>
+    <message>
+      <location filename="suture_workbench/words.py" />
+      <source>Polynomials of degree {} in {} cells, smooth of order {}.</source>
+      <translation>Polynome vom Grad {} in {} Zellen, glatt von der Ordnung {}.</translation>
+    </message>
+    <message>
+      <location filename="suture_workbench/words.py" />
+      <source>The faces lie within {:.2g} mm and {:.2g}° of them.</source>
+      <translation>Die Flächen weichen davon höchstens {:.2g} mm und {:.2g}° ab.</translation>
+    </message>
+    <message>
+      <location filename="suture_workbench/words.py" />
       <source>Hole {} passes {} points within {:.2g} mm.</source>
       <translation>Loch {}: {} Punkte auf {:.2g} mm genau getroffen.</translation>
     </message>
@@ -1351,6 +1456,11 @@ oder installieren oder angeben, wo es ist: Bearbeiten &gt; Einstellungen &gt; Su
       <location filename="suture_workbench/words.py" />
       <source>Hole {} was refused and stays open.</source>
       <translation>Loch {} wurde abgelehnt und bleibt offen.</translation>
+    </message>
+    <message>
+      <location filename="suture_workbench/words.py" />
+      <source>The middle is fitted to within {:.2g} of the mesh's size.</source>
+      <translation>Die Mitte ist bis auf {:.2g} der Größe des Netzes angepasst.</translation>
     </message>
     <message>
       <location filename="suture_workbench/resources/ui/check.ui" />
@@ -1494,6 +1604,16 @@ oder installieren oder angeben, wo es ist: Bearbeiten &gt; Einstellungen &gt; Su
     </message>
     <message>
       <location filename="suture_workbench/resources/ui/fill.ui" />
+      <source>Effort of auto</source>
+      <translation>Aufwand von auto</translation>
+    </message>
+    <message>
+      <location filename="suture_workbench/resources/ui/fill.ui" />
+      <source>How much auto tries where nothing is within tolerance at once</source>
+      <translation>Wie viel auto versucht, wo nicht sogleich etwas in der Toleranz ist</translation>
+    </message>
+    <message>
+      <location filename="suture_workbench/resources/ui/fill.ui" />
       <source>Of this method</source>
       <translation>Von diesem Verfahren</translation>
     </message>
@@ -1626,6 +1746,26 @@ oder installieren oder angeben, wo es ist: Bearbeiten &gt; Einstellungen &gt; Su
       <location filename="suture_workbench/resources/ui/surface.ui" />
       <source>Blue is flat; red is bent to this radius or more tightly.</source>
       <translation>Blau ist eben; Rot ist mit diesem Radius oder enger gekrümmt.</translation>
+    </message>
+    <message>
+      <location filename="suture_workbench/resources/ui/surface_file.ui" />
+      <source>Choose the file…</source>
+      <translation>Datei wählen…</translation>
+    </message>
+    <message>
+      <location filename="suture_workbench/resources/ui/surface_file.ui" />
+      <source>How many derivatives agree: 1 tangent, 2 curvature</source>
+      <translation>Wie viele Ableitungen übereinstimmen: 1 Tangente, 2 Krümmung</translation>
+    </message>
+    <message>
+      <location filename="suture_workbench/resources/ui/surface_file.ui" />
+      <source>automatic</source>
+      <translation>automatisch</translation>
+    </message>
+    <message>
+      <location filename="suture_workbench/resources/ui/surface_file.ui" />
+      <source>How far the innermost control points reach in the parameters</source>
+      <translation>Wie weit die innersten Kontrollpunkte in den Parametern reichen</translation>
     </message>
     <message>
       <location filename="suture_workbench/resources/ui/through.ui" />
@@ -1794,6 +1934,32 @@ oder installieren oder angeben, wo es ist: Bearbeiten &gt; Einstellungen &gt; Su
     </message>
   </context>
   <context>
+    <name>Suture_Patch</name>
+    <message>
+      <location filename="suture_workbench/gui/commands.py" />
+      <source>Patch from a mesh…</source>
+      <translation>Fläche aus einem Netz…</translation>
+    </message>
+    <message>
+      <location filename="suture_workbench/gui/commands.py" />
+      <source>Make a smooth many-sided surface from a control mesh of quads, an OBJ file</source>
+      <translation>Eine glatte vielseitige Fläche aus einem Kontrollnetz von Vierecken machen, einer OBJ-Datei</translation>
+    </message>
+  </context>
+  <context>
+    <name>Suture_Algebraic</name>
+    <message>
+      <location filename="suture_workbench/gui/commands.py" />
+      <source>Algebraic surface…</source>
+      <translation>Algebraische Fläche…</translation>
+    </message>
+    <message>
+      <location filename="suture_workbench/gui/commands.py" />
+      <source>Make the surface that joins others given by polynomials, in a JSON file</source>
+      <translation>Die Fläche machen, die andere, durch Polynome gegebene verbindet, in einer JSON-Datei</translation>
+    </message>
+  </context>
+  <context>
     <name>Suture_Convert</name>
     <message>
       <location filename="suture_workbench/gui/commands.py" />
@@ -1804,6 +1970,1879 @@ oder installieren oder angeben, wo es ist: Bearbeiten &gt; Einstellungen &gt; Su
       <location filename="suture_workbench/gui/commands.py" />
       <source>Fill the holes of files on disk, or convert them, without opening them</source>
       <translation>Die Löcher von Dateien füllen oder sie umwandeln, ohne sie zu öffnen</translation>
+    </message>
+  </context>
+  <context>
+    <name>Suture_program</name>
+    <message>
+      <location filename="program.txt" />
+      <source>its edges lie on each other and belong to one face</source>
+      <translation>seine Kanten liegen aufeinander und gehören zu einer Fläche</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>all its edges lie on edges of other faces within {0}</source>
+      <translation>alle seine Kanten liegen auf Kanten anderer Flächen, bis auf {0}</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>{0} of its {1} edges lie on edges of the same shell within {2}: sew these first</source>
+      <translation>{0} seiner {1} Kanten liegen auf Kanten derselben Schale, bis auf {2}: nähen Sie diese zuerst</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>the shell turns {0} degrees along it, a flat sheet 360: the shell lies around it or closes up behind it</source>
+      <translation>die Schale dreht sich daran um {0} Grad, ein flaches Blech um 360: sie liegt darum herum oder schließt sich dahinter</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>the shell turns {0} degrees along it, a flat sheet 360, and has {1} times the area that it spans: it bounds an open sheet</source>
+      <translation>die Schale dreht sich daran um {0} Grad, ein flaches Blech um 360, und hat das {1}-fache der umspannten Fläche: es begrenzt ein offenes Blech</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>the shell turns {0} degrees along it, a flat sheet 360, and has {1} times the area that it spans: a body with an opening</source>
+      <translation>die Schale dreht sich daran um {0} Grad, ein flaches Blech um 360, und hat das {1}-fache der umspannten Fläche: ein Körper mit einer Öffnung</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>its edges share no vertex where it should go on</source>
+      <translation>seine Kanten haben keinen gemeinsamen Punkt, wo es weitergehen sollte</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>it runs along an edge that an odd number of faces share, or along half a seam</source>
+      <translation>es läuft an einer Kante entlang, die eine ungerade Zahl von Flächen teilt, oder an einer halben Naht</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>its shell has only one side, like a Moebius band</source>
+      <translation>seine Schale hat nur eine Seite, wie ein Möbiusband</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>but the file says that its shell bounds a solid</source>
+      <translation>doch die Datei sagt, dass seine Schale einen Körper begrenzt</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>{0} of its edges lie on another shell</source>
+      <translation>{0} seiner Kanten liegen auf einer anderen Schale</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>the file turns the faces of {0} of its edges against the rest of the shell</source>
+      <translation>die Datei dreht die Flächen an {0} seiner Kanten gegen den Rest der Schale</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>there is no shape to find holes in</source>
+      <translation>es gibt keine Form, in der Löcher zu finden wären</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>finding holes</source>
+      <translation>sucht Löcher</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>the loops lie in one plane, one inside the other, and turn against each other: they bound one missing plane face</source>
+      <translation>die Ränder liegen in einer Ebene, einer im anderen, und laufen gegeneinander: sie begrenzen eine fehlende ebene Fläche</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>two circles about one axis whose neighbours meet equally far from both: the fillet between them is missing</source>
+      <translation>zwei Kreise um eine Achse, deren Nachbarn sich gleich weit von beiden treffen: die Rundung dazwischen fehlt</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>two circles about one axis: one band between them or a disc in each would close the shape</source>
+      <translation>zwei Kreise um eine Achse: ein Band dazwischen oder eine Scheibe in jedem würde die Form schließen</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>{0}: within tolerance</source>
+      <translation>{0}: in der Toleranz</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>{0}: {1} times the tolerance</source>
+      <translation>{0}: das {1}-fache der Toleranz</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>there is no method '{0}'; the methods are {1}</source>
+      <translation>es gibt keine Methode '{0}'; die Methoden sind {1}</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>stopped while filling</source>
+      <translation>beim Füllen angehalten</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>worse in the written file</source>
+      <translation>schlechter in der geschriebenen Datei</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>not tried</source>
+      <translation>nicht versucht</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>as asked</source>
+      <translation>wie verlangt</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>not asked for</source>
+      <translation>nicht verlangt</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>left open</source>
+      <translation>offen gelassen</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>there is no hole {0}: the model's loops are 1 to {1}</source>
+      <translation>es gibt kein Loch {0}: die Ränder des Modells sind 1 bis {1}</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>edge {0} lies on no boundary loop</source>
+      <translation>Edge{0} liegt auf keinem Rand</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>the model has no hole: every shell is closed</source>
+      <translation>das Modell hat kein Loch: jede Schale ist geschlossen</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>the model has no hole</source>
+      <translation>das Modell hat kein Loch</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>the model has no boundary loop</source>
+      <translation>das Modell hat keinen offenen Rand</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>auto: position only, for tangency was tried: {0}</source>
+      <translation>auto: nur Lage, denn tangential wurde versucht: {0}</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>auto: continuous curvature was tried, and is reached to {0} %</source>
+      <translation>auto: stetige Krümmung wurde versucht und auf {0} % erreicht</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>auto: continuous curvature was tried: {0}</source>
+      <translation>auto: stetige Krümmung wurde versucht: {0}</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>auto: with continuous curvature gap or angle are out of tolerance</source>
+      <translation>auto: mit stetiger Krümmung sind Spalt oder Winkel außer Toleranz</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>auto: tangent to the neighbour</source>
+      <translation>auto: tangential zum Nachbarn</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>auto: tangent only, for {0}</source>
+      <translation>auto: nur tangential, denn {0}</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>auto: the neighbours' curvatures agree at both ends</source>
+      <translation>auto: die Krümmungen der Nachbarn stimmen an beiden Enden überein</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>auto: {0}</source>
+      <translation>auto: {0}</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>trying the new face</source>
+      <translation>probiert die neue Fläche</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>OCCT's check finds the new face invalid ({0})</source>
+      <translation>die Prüfung von OCCT findet die neue Fläche ungültig ({0})</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>the curve beside it, whose own curvature no face has to have</source>
+      <translation>die Kurve daneben, deren eigene Krümmung keine Fläche haben muss</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>the normals of faces {0} and {1} differ by {2} deg where they meet</source>
+      <translation>die Normalen von Face{0} und Face{1} weichen um {2}° ab, wo sie sich treffen</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>the curvatures of faces {0} and {1} differ by {2} % where they meet</source>
+      <translation>die Krümmungen von Face{0} und Face{1} weichen um {2} % ab, wo sie sich treffen</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>face {0} leads away from the hole by {1} deg and meets its neighbours at {2} deg</source>
+      <translation>Face{0} führt um {1}° vom Loch weg und trifft seine Nachbarn unter {2}°</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>the neighbours stand on the opening at {0} deg or more, as walls do</source>
+      <translation>die Nachbarn stehen unter {0}° oder mehr auf der Öffnung, wie Wände</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>face {0} lies in the planar opening itself</source>
+      <translation>Face{0} liegt selbst in der ebenen Öffnung</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>a curve that was made to close the border</source>
+      <translation>eine Kurve, die den Rand schließen soll</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>edge {0} has no face</source>
+      <translation>Edge{0} hat keine Fläche</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>as asked for this edge</source>
+      <translation>wie für diese Kante verlangt</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>the method joins in position only</source>
+      <translation>die Methode schließt nur in der Lage an</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>edge {0} (face {1})</source>
+      <translation>Edge{0} (Face{1})</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>edge {0} (no face)</source>
+      <translation>Edge{0} (ohne Fläche)</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>a connecting curve</source>
+      <translation>eine Verbindungskurve</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>a boundary needs edges</source>
+      <translation>ein Rand braucht Kanten</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>edge {0} is named twice in one boundary</source>
+      <translation>Edge{0} kommt in einem Rand zweimal vor</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>there is no edge {0}: the model has {1} edges</source>
+      <translation>es gibt keine Edge{0}: das Modell hat {1} Kanten</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>there is no edge {0}</source>
+      <translation>es gibt keine Edge{0}</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>edge {0} does not belong to this part of the model</source>
+      <translation>Edge{0} gehört nicht zu diesem Teil des Modells</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>edge {0} has no length: it bounds no face</source>
+      <translation>Edge{0} hat keine Länge: sie begrenzt keine Fläche</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>edge {0} lies inside face {1}: no further face can be joined there</source>
+      <translation>Edge{0} liegt innerhalb von Face{1}: dort lässt sich keine weitere Fläche anschließen</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>edge {0} lies between the faces {1}: no further face can be joined there</source>
+      <translation>Edge{0} liegt zwischen den Flächen {1}: dort lässt sich keine weitere Fläche anschließen</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>a bridge stands on two chains of edges or on two closed rims, and these edges form {0} open and {1} closed</source>
+      <translation>eine Brücke steht auf zwei Ketten von Kanten oder zwei geschlossenen Rändern, und diese Kanten bilden {0} offene und {1} geschlossene</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>the edges {0} all meet in {1}: a border passes a point once</source>
+      <translation>die Kanten {0} treffen sich alle in {1}: ein Rand geht nur einmal durch einen Punkt</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>edge {0} has no end to connect</source>
+      <translation>Edge{0} hat kein Ende, an das etwas anschließen kann</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>the edges {0} form no closed chain: between the ends at {1} and {2} is a gap of {3}, wider than the {4} that closes by itself; --connect bridges it</source>
+      <translation>die Kanten {0} bilden keine geschlossene Kette: zwischen den Enden bei {1} und {2} ist eine Lücke von {3}, breiter als die {4}, die sich von selbst schließt; „Lücken überbrücken“ hilft</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>edge {0} forms no closed chain: between the ends at {1} and {2} is a gap of {3}, wider than the {4} that closes by itself; --connect bridges it</source>
+      <translation>Edge{0} bildet keine geschlossene Kette: zwischen den Enden bei {1} und {2} ist eine Lücke von {3}, breiter als die {4}, die sich von selbst schließt; „Lücken überbrücken“ hilft</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>its edges were chosen</source>
+      <translation>seine Kanten wurden gewählt</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>all faces would go: nothing would be left around them</source>
+      <translation>alle Flächen gingen weg: um sie herum bliebe nichts</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>all faces that hang together would go: nothing would be left around them</source>
+      <translation>alle zusammenhängenden Flächen gingen weg: um sie herum bliebe nichts</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>letting the neighbours grow</source>
+      <translation>lässt die Nachbarn zusammenwachsen</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>merging faces</source>
+      <translation>vereinigt Flächen</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>OCCT finds no way to let the neighbours meet</source>
+      <translation>OCCT findet keinen Weg, die Nachbarn zusammenzuführen</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>OCCT leaves one of the faces where it is</source>
+      <translation>OCCT lässt eine der Flächen stehen</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>{0}, cut in two</source>
+      <translation>{0}, in zwei geteilt</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>edge {0} runs straight between the two vertices: nothing lies between it and the cut</source>
+      <translation>Edge{0} läuft gerade zwischen den beiden Punkten: zwischen ihr und dem Schnitt liegt nichts</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>sewing the new faces in</source>
+      <translation>näht die neuen Flächen ein</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>making the new face</source>
+      <translation>macht die neue Fläche</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>the tolerance of {0} edges had to grow, at most to {1}</source>
+      <translation>die Toleranz von {0} Kanten musste wachsen, höchstens auf {1}</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>the best fill is bad and stays out of the model (--keep-bad puts it in): {0}</source>
+      <translation>die beste Füllung ist schlecht und bleibt draußen: {0}</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>filling holes, {0} of {1} done</source>
+      <translation>füllt Löcher, {0} von {1} fertig</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>filling holes</source>
+      <translation>füllt Löcher</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>auto: position only, the neighbours are facets; the face follows the curved shape that they mean</source>
+      <translation>auto: nur Lage, die Nachbarn sind Facetten; die Fläche folgt der gekrümmten Form, die sie meinen</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>the edges {0} are chosen for two faces</source>
+      <translation>die Kanten {0} sind für zwei Flächen gewählt</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>points to pass through belong to one hole, not to {0}: choose it with --hole</source>
+      <translation>Punkte, durch die es gehen soll, gehören zu einem Loch, nicht zu {0}: wählen Sie eines</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>the side was not found again</source>
+      <translation>die Seite wurde nicht wiedergefunden</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>its surface runs against its border</source>
+      <translation>die Fläche läuft gegen ihren Rand</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>two of its normals are {0} deg apart there</source>
+      <translation>zwei ihrer Normalen liegen dort {0}° auseinander</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>one face uses it</source>
+      <translation>eine Fläche benutzt sie</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>more than two faces use it</source>
+      <translation>mehr als zwei Flächen benutzen sie</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>a new face was not found again in the output</source>
+      <translation>eine neue Fläche wurde in der Ausgabe nicht wiedergefunden</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>edge {0} (face {1}) has no 3D curve</source>
+      <translation>Edge{0} (Face{1}) hat keine Kurve im Raum</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>edge {0} has no curve on the surface of face {1}</source>
+      <translation>Edge{0} hat keine Kurve auf der Fläche von Face{1}</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>face {0} has no surface</source>
+      <translation>Face{0} hat keine Fläche</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>{0}: the neighbour has no normal at s = {1}</source>
+      <translation>{0}: der Nachbar hat bei s = {1} keine Normale</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>{0} has no length</source>
+      <translation>{0} hat keine Länge</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>reading the hole's neighbours</source>
+      <translation>liest die Nachbarn des Lochs</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>edge {0} has no 3D curve</source>
+      <translation>Edge{0} hat keine Kurve im Raum</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>the gap is wider than {0}, a quarter of the smallest feature</source>
+      <translation>der Spalt ist breiter als {0}, ein Viertel des kleinsten Merkmals</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>both faces leave it to the same side: a thin wall</source>
+      <translation>beide Flächen gehen nach derselben Seite weg: eine dünne Wand</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>no single edge or row of edges runs along it</source>
+      <translation>keine einzelne Kante oder Reihe von Kanten läuft daran entlang</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>there is no shape to sew</source>
+      <translation>es gibt keine Form zum Nähen</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>looking for the lost surface in the model</source>
+      <translation>sucht die verlorene Fläche im Modell</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>degree {0} x {1} is above OCCT's limit of {2}</source>
+      <translation>der Grad {0} x {1} liegt über der Grenze von OCCT, {2}</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>{0} crashed ({1})</source>
+      <translation>{0} ist abgestürzt ({1})</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>{0} ended without an answer</source>
+      <translation>{0} endete ohne Antwort</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>{0}: {1} could not be started: {2}</source>
+      <translation>{0}: {1} konnte nicht gestartet werden: {2}</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>{0} gave no answer within {1} s</source>
+      <translation>{0} gab in {1} s keine Antwort</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>{0} was stopped</source>
+      <translation>{0} wurde angehalten</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>{0}: OCCT returned no shape</source>
+      <translation>{0}: OCCT gab keine Form zurück</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>{0}: OCCT raised {1}</source>
+      <translation>{0}: OCCT meldete {1}</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>{0}: out of memory</source>
+      <translation>{0}: zu wenig Speicher</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>OCCT's filling found no surface</source>
+      <translation>die Füllung von OCCT fand keine Fläche</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>OCCT's filling made no face</source>
+      <translation>die Füllung von OCCT gab keine Fläche</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>OCCT's filling lost {0}</source>
+      <translation>die Füllung von OCCT verlor {0}</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>OCCT's filling has no curve for {0}</source>
+      <translation>die Füllung von OCCT hat keine Kurve für {0}</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>OCCT's filling takes one loop, and this hole has {0}: it would close the wrong one</source>
+      <translation>die Füllung von OCCT nimmt einen Rand, und dieses Loch hat {0}: sie würde den falschen schließen</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>OCCT's G2 constraints come out worse than its G1: G1 was asked for</source>
+      <translation>mit G2 wird OCCT schlechter als mit G1: G1 wurde verlangt</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>OCCT's filling</source>
+      <translation>die Füllung von OCCT</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>the installation is broken: {0}</source>
+      <translation>die Installation ist beschädigt: {0}</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>the length tolerance must be a positive number, not {0}</source>
+      <translation>die Längentoleranz muss positiv sein, nicht {0}</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>the angular tolerance must lie between 0 and 180 degrees, not at {0}</source>
+      <translation>die Winkeltoleranz muss zwischen 0 und 180 Grad liegen, nicht bei {0}</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>the curvature tolerance must be a positive number, not {0}</source>
+      <translation>die Krümmungstoleranz muss positiv sein, nicht {0}</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>self-intersecting wire</source>
+      <translation>sich selbst schneidender Rand</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>intersecting wires</source>
+      <translation>sich schneidende Ränder</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>bad orientation of a subshape</source>
+      <translation>falsche Richtung eines Teils</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>no bound at this length</source>
+      <translation>keine Schranke auf dieser Länge</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>Face{0} has no normal</source>
+      <translation>Face{0} hat keine Normale</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>the edge has no curve in space</source>
+      <translation>die Kante hat keine Kurve im Raum</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>its curve is none of line, circle, ellipse and B-spline</source>
+      <translation>ihre Kurve ist weder Gerade noch Kreis, Ellipse oder B-Spline</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>Face{0} is a surface of revolution</source>
+      <translation>Face{0} ist eine Drehfläche</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>Face{0} is a surface of extrusion</source>
+      <translation>Face{0} ist eine Zugfläche</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>Face{0} is an offset surface</source>
+      <translation>Face{0} ist eine Parallelfläche</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>Face{0} is of a kind that is not treated</source>
+      <translation>Face{0} ist von einer Art, die nicht behandelt wird</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>Face{0}: {1}</source>
+      <translation>Face{0}: {1}</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>the nearest point is not unique, or the surface is singular</source>
+      <translation>der nächste Punkt ist nicht eindeutig, oder die Fläche ist singulär</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>the edge leaves the surface's parameter range</source>
+      <translation>die Kante verlässt den Parameterbereich der Fläche</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>the edge runs along or across a knot at which the surface is only C0</source>
+      <translation>die Kante läuft an oder über einen Knoten, an dem die Fläche nur C0 ist</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>looking for clashes</source>
+      <translation>sucht Durchdringungen</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>there is no shape to check</source>
+      <translation>es gibt keine Form zu prüfen</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>check stopped after {0} of {1} edges</source>
+      <translation>die Prüfung wurde nach {0} von {1} Kanten angehalten</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>looking for folds</source>
+      <translation>sucht Falten</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>OCCT could not evaluate {0} of {1} samples</source>
+      <translation>OCCT konnte {0} von {1} Stellen nicht auswerten</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>no normal at {0} of {1} samples: singular surface</source>
+      <translation>keine Normale an {0} von {1} Stellen: singuläre Fläche</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>no curvature at any sample</source>
+      <translation>nirgends eine Krümmung</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>the two faces are oriented inconsistently: both use the edge in the same direction</source>
+      <translation>die beiden Flächen sind uneinig gerichtet: beide durchlaufen die Kante in derselben Richtung</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>knife edge: the faces fold back onto each other</source>
+      <translation>Schneide: die Flächen falten sich aufeinander zurück</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>measuring edges</source>
+      <translation>misst Kanten</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>certifying edges</source>
+      <translation>beweist Schranken an Kanten</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>measuring the result</source>
+      <translation>misst das Ergebnis</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>measuring the merged faces</source>
+      <translation>misst die vereinigten Flächen</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>fitting faces</source>
+      <translation>passt Flächen an</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>writing {0}</source>
+      <translation>schreibt {0}</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>reading {0} again</source>
+      <translation>liest {0} noch einmal</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>reading {0}</source>
+      <translation>liest {0}</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>drawing the model</source>
+      <translation>zeichnet das Modell</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>making a shell</source>
+      <translation>macht eine Schale</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>no surface that is regular in the corner of sides {0} and {1} is G^{2} with both: their curvatures differ there by {3} % of the larger; G^1 can do</source>
+      <translation>keine Fläche, die in der Ecke der Seiten {0} und {1} regulär ist, ist G^{2} mit beiden: ihre Krümmungen weichen dort um {3} % der größeren ab; G^1 geht</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>{0} sides and {1} corners: at least 3, and as many of both</source>
+      <translation>{0} Seiten und {1} Ecken: mindestens 3, und von beiden gleich viele</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>plane {0} does not go through the centre</source>
+      <translation>die Ebene {0} geht nicht durch die Mitte</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>corner {0} does not lie on surface and plane {1}</source>
+      <translation>die Ecke {0} liegt nicht auf Fläche und Ebene {1}</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>the curve of side {0} does not lead to the next corner</source>
+      <translation>die Kurve der Seite {0} führt nicht zur nächsten Ecke</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>no surface to go by: {0}</source>
+      <translation>keine Fläche als Anhalt: {0}</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>'{0}{1}': expected {2} at character {3}</source>
+      <translation>'{0}{1}': {2} erwartet an Stelle {3}</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>a polynomial of {0} characters is longer than the {1} allowed</source>
+      <translation>ein Polynom mit {0} Zeichen ist länger als die erlaubten {1}</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>the sheet of {0} ends inside its sector</source>
+      <translation>das Blatt von {0} endet in seinem Sektor</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>the patch of {0} folds</source>
+      <translation>das Flächenstück von {0} faltet sich</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>no solution</source>
+      <translation>keine Lösung</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>no member with a provably single sheet</source>
+      <translation>keine Fläche mit beweisbar einem Blatt</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>the sheet could not be proven single</source>
+      <translation>dass es ein einziges Blatt ist, ließ sich nicht beweisen</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>no member near the hole ({0} off)</source>
+      <translation>keine Fläche in der Nähe des Lochs ({0} entfernt)</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>no member nearer to the sides than {0} deg and {1} of the radius</source>
+      <translation>keine Fläche näher an den Seiten als {0}° und {1} des Radius</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>rays meet the sheet more than once, or not at all ({0} off)</source>
+      <translation>Strahlen treffen das Blatt mehrmals oder gar nicht ({0} entfernt)</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>degree {0} in {1} cells: {2}</source>
+      <translation>Grad {0} in {1} Zellen: {2}</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>no piecewise polynomial of degree {0} to {1} joins: {2}</source>
+      <translation>kein stückweises Polynom vom Grad {0} bis {1} schließt an: {2}</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>the normals spread so far that from every centre tried rays meet the surface at {0} deg or less, at least {1} are needed</source>
+      <translation>die Normalen gehen so weit auseinander, dass Strahlen aus jeder versuchten Mitte die Fläche unter {0}° oder weniger treffen; mindestens {1} sind nötig</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>no point inside sees all of the boundary, so that cells around an axis overlap</source>
+      <translation>kein Punkt im Innern sieht den ganzen Rand, so dass Zellen um eine Achse sich überdecken</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>the hole has {0} islands; space is divided around one loop</source>
+      <translation>das Loch hat {0} Inseln; der Raum wird um einen Rand geteilt</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>{0}: the hole has {1} sides; cells around an axis need 3</source>
+      <translation>{0}: das Loch hat {1} Seiten; Zellen um eine Achse brauchen 3</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>points to pass through are not part of this method</source>
+      <translation>Punkte, durch die es gehen soll, gehören nicht zu dieser Methode</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>the normals of the neighbours differ by {0} deg where {1} and {2} meet, more than {3}</source>
+      <translation>die Normalen der Nachbarn weichen um {0}° ab, wo {1} und {2} sich treffen, mehr als {3}</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>{0}: G^{1} asks for a neighbour with an equation: a plane, cylinder, cone, sphere or torus</source>
+      <translation>{0}: G^{1} verlangt einen Nachbarn mit einer Gleichung: Ebene, Zylinder, Kegel, Kugel oder Torus</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>{0} is not planar, which G^{1} asks for</source>
+      <translation>{0} ist nicht eben, was G^{1} verlangt</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>{0} is no smooth curve: a B-spline comes within {1} only</source>
+      <translation>{0} ist keine glatte Kurve: ein B-Spline kommt nur bis auf {1} heran</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>the hole has {0} islands, the first at {1}: a disc-like surface has none</source>
+      <translation>das Loch hat {0} Inseln, die erste bei {1}: eine scheibenartige Fläche hat keine</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>the neighbour at {0} leans by {1} deg from the hole's mean plane (limit {2}): no surface over that plane is tangent to it</source>
+      <translation>der Nachbar an {0} neigt sich um {1}° gegen die mittlere Ebene des Lochs (Grenze {2}): keine Fläche über dieser Ebene ist tangential zu ihm</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>the map folds {0}</source>
+      <translation>die Abbildung faltet sich {0}</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>the boundary has no extent</source>
+      <translation>der Rand hat keine Ausdehnung</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>the boundary encloses no area</source>
+      <translation>der Rand umschließt keine Fläche</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>the control polygon meets itself: its sides at s = {0} and {1}, near ({2}, {3})</source>
+      <translation>das Kontrollpolygon trifft sich selbst: seine Seiten bei s = {0} und {1}, nahe ({2}, {3})</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>the Voronoi diagram of the control polygon is not connected near s = {0}</source>
+      <translation>das Voronoi-Diagramm des Kontrollpolygons hängt nahe s = {0} nicht zusammen</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>the medial axis is no tree near ({0}, {1}): two parts of the boundary nearly touch</source>
+      <translation>die Mittelachse ist nahe ({0}, {1}) kein Baum: zwei Teile des Randes berühren sich fast</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>{0}; s counts the sides from {1} on</source>
+      <translation>{0}; s zählt die Seiten ab {1}</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>there are {0} points to pass through: the spokes leave no freedom for them</source>
+      <translation>es soll durch {0} Punkte gehen: die Speichen lassen dafür keine Freiheit</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>the hole goes all the way around the {0}, and no straight line from corner to corner cuts it open</source>
+      <translation>das Loch geht ganz um {0} herum, und keine gerade Linie von Ecke zu Ecke schneidet es auf</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>no loop encloses a part of the {0}: all around is missing</source>
+      <translation>kein Rand umschließt einen Teil von {0}: ringsum fehlt alles</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>{0} loops enclose a part of the {1} each: they are as many holes</source>
+      <translation>{0} Ränder umschließen je einen Teil von {1}: es sind ebenso viele Löcher</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>the hole overlaps itself around the axis of the {0}</source>
+      <translation>das Loch überdeckt sich selbst um die Achse von {0}</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>a loop winds {0} times around the {1} one way and {2} times the other</source>
+      <translation>ein Rand windet sich {0}-mal so und {2}-mal anders um {1}</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>two loops go the same way around the {0}</source>
+      <translation>zwei Ränder gehen in derselben Richtung um {0}</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>two loops cross on the {0}</source>
+      <translation>zwei Ränder kreuzen sich auf {0}</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>the material lies between the two loops: the {0} goes on to both sides</source>
+      <translation>das Material liegt zwischen den beiden Rändern: {0} geht nach beiden Seiten weiter</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>the hole goes all the way around the {0} and nothing ends it on the other side</source>
+      <translation>das Loch geht ganz um {0} herum, und auf der anderen Seite endet es nicht</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>{0} of the {1} sides have their neighbour oriented against the others'</source>
+      <translation>an {0} der {1} Seiten ist der Nachbar gegen die anderen gerichtet</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>{0} has no surface to continue</source>
+      <translation>{0} hat keine Fläche zum Fortsetzen</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>face {0} lies on a surface without a closed form</source>
+      <translation>Face{0} liegt auf einer Fläche ohne geschlossene Form</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>the neighbours lie on different surfaces: face {0} ({1}) and face {2} ({3})</source>
+      <translation>die Nachbarn liegen auf verschiedenen Flächen: Face{0} ({1}) und Face{2} ({3})</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>the rims have {0} and {1} corners: no patch runs from corner to corner</source>
+      <translation>die Ränder haben {0} und {1} Ecken: kein Flächenstück läuft von Ecke zu Ecke</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>the hole is no bridge: it needs two closed rims, or two chains of sides and a curve without a face between each two ends of them</source>
+      <translation>das Loch ist keine Brücke: dafür braucht es zwei geschlossene Ränder, oder zwei Ketten von Seiten und zwischen ihren Enden je eine Kurve ohne Fläche</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>the chains have {0} and {1} corners: no patch runs from corner to corner</source>
+      <translation>die Ketten haben {0} und {1} Ecken: kein Flächenstück läuft von Ecke zu Ecke</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>{0} is {1} from the cubic that is tangent to both neighbours</source>
+      <translation>{0} ist {1} von der kubischen Kurve entfernt, die zu beiden Nachbarn tangential ist</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>a loft passes no inner points: {0} were given</source>
+      <translation>loft geht durch keine inneren Punkte: {0} wurden angegeben</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>the border folds at {0}: its normal is {1} deg off the neighbour's</source>
+      <translation>der Rand faltet sich bei {0}: seine Normale weicht um {1}° von der des Nachbarn ab</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>the surface folds at ({0}, {1}, {2}), on the side of {3}: its normal turns by {4} deg from one sample to the next</source>
+      <translation>die Fläche faltet sich bei ({0}, {1}, {2}), auf der Seite von {3}: ihre Normale dreht sich von einer Stelle zur nächsten um {4}°</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>manifold takes one loop, this hole has {0}</source>
+      <translation>manifold nimmt einen Rand, dieses Loch hat {0}</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>{0} has a length of {1}, no more than {2}</source>
+      <translation>{0} hat die Länge {1}, nicht mehr als {2}</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>the corner between {0} and {1} has an interior angle of {2} deg: above {3} deg a border of B-splines would fold there</source>
+      <translation>die Ecke zwischen {0} und {1} hat innen {2}°: über {3}° würde sich ein Rand aus B-Splines dort falten</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>{0} and {1} have normals that differ by {2} deg where they meet: no smooth surface meets both there</source>
+      <translation>{0} und {1} haben Normalen, die um {2}° abweichen, wo sie sich treffen: keine glatte Fläche passt dort zu beiden</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>the loop that begins with {0} has {1} corners of less than {2} deg: a patch has at least 3, a ring none</source>
+      <translation>der Rand, der mit {0} beginnt, hat {1} Ecken unter {2}°: eine Fläche hat mindestens 3, ein Ring keine</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>the hole has no corner: a ring needs k of at least {0}</source>
+      <translation>das Loch hat keine Ecke: ein Ring braucht k von mindestens {0}</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>manifold passes through no inner points, {0} are given</source>
+      <translation>manifold geht durch keine inneren Punkte, {0} sind angegeben</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>the aperture {0} is not between 0 and {1}, its bound for k = {2} and {3} sides</source>
+      <translation>die Größe der Mitte {0} liegt nicht zwischen 0 und {1}, ihrer Grenze für k = {2} und {3} Seiten</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>{0} layers are too few: k = {1} with {2} sides needs {3}</source>
+      <translation>{0} Schichten sind zu wenige: k = {1} mit {2} Seiten braucht {3}</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>side {0} has no interval in its middle</source>
+      <translation>die Seite {0} hat in ihrer Mitte kein Intervall</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>the denominator varies more than {0}-fold around the cell at ({1}, {2}) of the parameters: a smaller aperture helps</source>
+      <translation>der Nenner ändert sich um die Zelle bei ({1}, {2}) der Parameter um mehr als das {0}-fache: eine kleinere Mitte hilft</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>knot curves meet {0} from each other at ({1}, {2}) of the parameters, nearer than {3}: another aperture parts them</source>
+      <translation>Knotenkurven treffen sich bei ({1}, {2}) der Parameter im Abstand {0}, näher als {3}: eine andere Größe der Mitte trennt sie</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>k = {0}: the exact middle has cells of degree {1}; it is written for k up to {2}</source>
+      <translation>k = {0}: die exakte Mitte hat Zellen vom Grad {1}; sie wird für k bis {2} geschrieben</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>two faces run along the edge of vertices {0} and {1} in the same sense: turn one of them over</source>
+      <translation>zwei Flächen laufen im selben Sinn an der Kante der Punkte {0} und {1} entlang: drehen Sie eine um</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>two borders of the mesh touch at vertex {0}</source>
+      <translation>zwei Ränder des Netzes berühren sich im Punkt {0}</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>faces {0} and {1} have {2} and {3} sides: all but the one in the hole have 4</source>
+      <translation>die Netzflächen {0} und {1} haben {2} und {3} Seiten: alle außer der im Loch haben 4</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>the mesh has no face of four sides</source>
+      <translation>das Netz hat kein Viereck</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>the mesh has {0} borders, not 2: the hole in the middle and the outer one (leave the central face away if it is a quad)</source>
+      <translation>das Netz hat {0} Ränder, nicht 2: das Loch in der Mitte und den äußeren (lassen Sie die mittlere Fläche weg, wenn sie ein Viereck ist)</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>vertex {0} has valence {1}: inside it has to be 4</source>
+      <translation>der Punkt {0} hat die Valenz {1}: im Innern muss sie 4 sein</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>vertex {0} has valence {1}: along the hole it has to be 3, or 4 at the hole's corners</source>
+      <translation>der Punkt {0} hat die Valenz {1}: am Loch muss sie 3 sein, an dessen Ecken 4</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>vertex {0} has valence {1}: along the outer border it has to be 3, or 2 at the corners</source>
+      <translation>der Punkt {0} hat die Valenz {1}: am äußeren Rand muss sie 3 sein, an den Ecken 2</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>the hole has {0} corners (vertices of valence 4), fewer than 3</source>
+      <translation>das Loch hat {0} Ecken (Punkte der Valenz 4), weniger als 3</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>the hole has {0} corners (valence 4), the outer border {1} (valence 2)</source>
+      <translation>das Loch hat {0} Ecken (Valenz 4), der äußere Rand {1} (Valenz 2)</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>{0}: no finite point, tangent and unit normal at {1}</source>
+      <translation>{0}: kein endlicher Punkt mit Tangente und Normale bei {1}</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>{0}: its length {1} is less than {2}, no direction</source>
+      <translation>{0}: ihre Länge {1} ist kleiner als {2}, ohne Richtung</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>the boundary from {0} on crosses itself</source>
+      <translation>der Rand kreuzt sich selbst, von {0} an</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>where {0} meets {1}, at ({2}, {3}, {4}), the neighbours' normals differ by {5} deg: no face is tangent to both there</source>
+      <translation>wo {0} auf {1} trifft, bei ({2}, {3}, {4}), weichen die Normalen der Nachbarn um {5}° ab: keine Fläche ist dort zu beiden tangential</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>the surface folds: its area element falls to {0} of the mean (limit {1})</source>
+      <translation>die Fläche faltet sich: ihr Flächenelement fällt auf {0} des Mittels (Grenze {1})</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>the surface meets a neighbour at {0} deg (limit {1})</source>
+      <translation>die Fläche trifft einen Nachbarn unter {0}° (Grenze {1})</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>method '{0}' has no option '{1}', nor any other</source>
+      <translation>die Methode '{0}' hat keine Option '{1}' und auch keine andere</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>method '{0}' has no option '{1}'; its options are {2}</source>
+      <translation>die Methode '{0}' hat keine Option '{1}'; ihre Optionen sind {2}</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>option '{0}' takes {1} ({2}), not '{3}'</source>
+      <translation>die Option '{0}' nimmt {1} ({2}), nicht '{3}'</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>a number</source>
+      <translation>eine Zahl</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>a whole number</source>
+      <translation>eine ganze Zahl</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>numbers separated by commas</source>
+      <translation>Zahlen, durch Kommas getrennt</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>a point x,y,z</source>
+      <translation>einen Punkt x,y,z</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>a direction x,y,z that is not zero</source>
+      <translation>eine Richtung x,y,z, die nicht null ist</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>one of these words</source>
+      <translation>eines dieser Wörter</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>the hole is not planar: {0} leaves the best plane by {1}, more than {2}</source>
+      <translation>das Loch ist nicht eben: {0} verlässt die beste Ebene um {1}, mehr als {2}</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>a patch of four sides has no islands or inner points</source>
+      <translation>eine Fläche mit vier Seiten hat keine Inseln und keine inneren Punkte</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>the hole has {0} sides, not 4</source>
+      <translation>das Loch hat {0} Seiten, nicht 4</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>{0} and {1} meet at {2} deg: no corner of a patch (limits {3}, {4})</source>
+      <translation>{0} und {1} treffen sich unter {2}°: keine Ecke einer Fläche (Grenzen {3}, {4})</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>the patch between its four sides folds</source>
+      <translation>die Fläche zwischen ihren vier Seiten faltet sich</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>{0}: tangency is asked for, and the patch meets it at {1} deg (limit {2})</source>
+      <translation>{0}: tangential ist verlangt, und die Fläche trifft sie unter {1}° (Grenze {2})</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>the border lies off by {0} of the hole's diameter, limit {1}</source>
+      <translation>der Rand liegt um {0} des Lochdurchmessers daneben, Grenze {1}</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>{0} % of the border is tangent to its neighbours, limit {1} %</source>
+      <translation>{0} % des Randes sind tangential zu den Nachbarn, Grenze {1} %</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>the border lies off by {0} of the hole's diameter</source>
+      <translation>der Rand liegt um {0} des Lochdurchmessers daneben</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>the border is so nearly flat ({0} of its diameter) that the fit says nothing</source>
+      <translation>der Rand ist so eben ({0} seines Durchmessers), dass die Anpassung nichts besagt</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>no ball of radius {0} touches {1} and {2}</source>
+      <translation>keine Kugel vom Radius {0} berührt {1} und {2}</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>only position is asked for along a flat rim: it has a lid, and normals say nothing</source>
+      <translation>nur die Lage ist an einem ebenen Rand verlangt: er hat einen Deckel, und Normalen besagen nichts</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>no surface is recognised: {0}</source>
+      <translation>keine Fläche erkannt: {0}</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>no fit</source>
+      <translation>passt nicht</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>{0}, tangent to face {1}</source>
+      <translation>{0}, tangential zu Face{1}</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>{0}, tangent to faces {1}</source>
+      <translation>{0}, tangential zu faces {1}</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>torus R = {0}, r = {1}</source>
+      <translation>Torus R = {0}, r = {1}</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>cylinder r = {0}</source>
+      <translation>Zylinder r = {0}</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>sphere r = {0}</source>
+      <translation>Kugel r = {0}</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>the curvatures asked for at the closing point are not reached: off by {0} after {1} steps</source>
+      <translation>die am Schließpunkt verlangten Krümmungen sind nicht erreicht: {0} daneben nach {1} Schritten</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>the rays from the closing point to the border turn back: no fairest surface over them is found</source>
+      <translation>die Strahlen vom Schließpunkt zum Rand kehren um: keine glatteste Fläche darüber gefunden</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>no plane for the closing point is found: give it with its normal</source>
+      <translation>keine Ebene für den Schließpunkt gefunden: geben Sie ihn mit seiner Normale an</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>seen along the normal ({0}, {1}, {2}) of the closing point, the border does not go around it once</source>
+      <translation>entlang der Normale ({0}, {1}, {2}) des Schließpunkts gesehen geht der Rand nicht einmal um ihn herum</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>the hole is not star-shaped: {0} sees the closing point at {1} deg from its inside (limit {2})</source>
+      <translation>das Loch ist nicht sternförmig: {0} sieht den Schließpunkt unter {1}° von innen (Grenze {2})</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>the surface folds: its normal turns by {0} deg within a patch (limit {1}), near ({2}, {3}, {4})</source>
+      <translation>die Fläche faltet sich: ihre Normale dreht sich in einem Stück um {0}° (Grenze {1}), nahe ({2}, {3}, {4})</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>the hole has {0} loops: a tube closes one</source>
+      <translation>das Loch hat {0} Ränder: tube schließt einen</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>the tube passes no inner points: {0} were given</source>
+      <translation>tube geht durch keine inneren Punkte: {0} wurden angegeben</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>{0} is {1} long, {2} of the diameter (limit {3})</source>
+      <translation>{0} ist {1} lang, {2} des Durchmessers (Grenze {3})</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>{0} layers were asked for, at most {1} can be told apart</source>
+      <translation>{0} Schichten wurden verlangt, höchstens {1} sind unterscheidbar</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>{0} curvatures were given for {1} sides</source>
+      <translation>{0} Krümmungen wurden für {1} Seiten angegeben</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>how far the tangents at both sides reach: 1 (default) as far as the gap is wide</source>
+      <translation>wie weit die Tangenten beider Seiten reichen: 1 (Vorgabe) so weit wie die Lücke</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>order of continuity inside (default 2)</source>
+      <translation>Ordnung der Stetigkeit im Innern (Vorgabe 2)</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>size of the central face in the parameters (default: even knots)</source>
+      <translation>Größe der mittleren Fläche in den Parametern (Vorgabe: gleichmäßige Knoten)</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>layers of the control mesh (default: as many as the tolerance needs)</source>
+      <translation>Schichten des Kontrollnetzes (Vorgabe: so viele, wie die Toleranz braucht)</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>n fitted faces, or for k = 0 and 1 exact cells (default: quads; for k = 0 and 1 exact where quads do not do)</source>
+      <translation>n angepasste Flächen, oder für k = 0 und 1 exakte Zellen (Vorgabe: Vierecke; für k = 0 und 1 exakt, wo diese nicht genügen)</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>the closing point (default: found)</source>
+      <translation>der Schließpunkt (Vorgabe: gefunden)</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>the outward normal at the closing point (default: found)</source>
+      <translation>die Normale nach außen am Schließpunkt (Vorgabe: gefunden)</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>the fairness functional that is least (default plate)</source>
+      <translation>das Glattheitsmaß, das am kleinsten wird (Vorgabe plate)</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>of all tangents at the closing point (default: as the functional wants them)</source>
+      <translation>aller Tangenten am Schließpunkt (Vorgabe: wie das Maß sie will)</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>let the functional move the closing point; the weight holds it back, 1 with the functional's own stiffness (default: it stays)</source>
+      <translation>lässt das Maß den Schließpunkt verschieben; das Gewicht hält ihn zurück, 1 mit der Steifigkeit des Maßes (Vorgabe: er bleibt)</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>normal curvatures at the closing point, 1/length, positive towards the normal: one, or one for each side (default: free)</source>
+      <translation>Normalkrümmungen am Schließpunkt, 1/Länge, positiv zur Normale hin: eine, oder eine je Seite (Vorgabe: frei)</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>the border as a spline through its points, or as one near quadratic pieces</source>
+      <translation>der Rand als Spline durch seine Punkte, oder als einer nahe quadratischen Stücken</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>such pieces by least squares, or each in its turn</source>
+      <translation>solche Stücke nach kleinsten Quadraten, oder eins nach dem andern</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>rows of patches beside the border, each half as wide as the one before (default: as many as keep creases within the angle tolerance)</source>
+      <translation>Reihen von Stücken neben dem Rand, jede halb so breit wie die vorige (Vorgabe: so viele, dass Knicke in der Winkeltoleranz bleiben)</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>G^k with all neighbours and between cells (default: as each side asks for)</source>
+      <translation>G^k mit allen Nachbarn und zwischen den Zellen (Vorgabe: wie jede Seite verlangt)</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>degree of the polynomials (default: the lowest that works)</source>
+      <translation>Grad der Polynome (Vorgabe: der kleinste, der geht)</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>cells around an axis, or with inner cells (default: the fewest that work)</source>
+      <translation>Zellen um eine Achse, oder mit inneren Zellen (Vorgabe: die wenigsten, die gehen)</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>one face for each side of the hole, or one for all; default regions</source>
+      <translation>eine Fläche für jede Seite des Lochs, oder eine für alle; Vorgabe regions</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>cut branches of the axis that stand out less, as a share of the largest inscribed circle's radius; default 0.1</source>
+      <translation>Äste der Achse abschneiden, die weniger herausragen, als Anteil am Radius des größten Inkreises; Vorgabe 0.1</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>drop nodes of the axis that bend it less, likewise; default 0.02</source>
+      <translation>Knoten der Achse weglassen, die sie weniger biegen, ebenso; Vorgabe 0.02</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>edge {0} bounds no hole: two faces share it, or it lies in another instance of its part; `suture inspect` lists the edges of every hole</source>
+      <translation>Edge{0} begrenzt kein Loch: zwei Flächen teilen sie, oder sie liegt in einem anderen Exemplar ihres Teils; „Löcher finden“ zeigt die Kanten aller Löcher</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>there is no hole {0}: {1}; `suture inspect` lists them</source>
+      <translation>es gibt kein Loch {0}: {1}; „Löcher finden“ zeigt sie</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>the boundary loops have the numbers 1 to {0}</source>
+      <translation>die offenen Ränder haben die Nummern 1 bis {0}</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>loops {0} and {1} belong to different parts</source>
+      <translation>die Ränder {0} und {1} gehören zu verschiedenen Teilen</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>edge {0} has no length: no face can follow it</source>
+      <translation>Edge{0} hat keine Länge: keine Fläche kann ihr folgen</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>the merged faces do not survive the file, which has them as they were: {0}</source>
+      <translation>die vereinigten Flächen überstehen die Datei nicht, die sie hat, wie sie waren: {0}</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>new faces and their neighbours on the same surface have become one: {0} fewer</source>
+      <translation>neue Flächen und ihre Nachbarn auf derselben Fläche sind eins geworden: {0} weniger</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>not merged: no new face lies on one surface with a neighbour</source>
+      <translation>nicht vereinigt: keine neue Fläche liegt mit einem Nachbarn auf einer Fläche</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>not merged: {0}</source>
+      <translation>nicht vereinigt: {0}</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>the neighbours of {0} have grown together</source>
+      <translation>die Nachbarn von {0} sind zusammengewachsen</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>{0} does not exist</source>
+      <translation>{0} gibt es nicht</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>{0} is a folder, not a file</source>
+      <translation>{0} ist ein Ordner, keine Datei</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>{0} is no ordinary file</source>
+      <translation>{0} ist keine gewöhnliche Datei</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>{0} cannot be opened: {1}</source>
+      <translation>{0} lässt sich nicht öffnen: {1}</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>{0} is empty</source>
+      <translation>{0} ist leer</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>{0} cannot be read: {1}</source>
+      <translation>{0} lässt sich nicht lesen: {1}</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>{0} cannot be written: there is no folder {1}</source>
+      <translation>{0} lässt sich nicht schreiben: es gibt keinen Ordner {1}</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>{0} cannot be written: it is a folder</source>
+      <translation>{0} lässt sich nicht schreiben: es ist ein Ordner</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>{0} cannot be written: {1}</source>
+      <translation>{0} lässt sich nicht schreiben: {1}</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>{0} has {1} bytes, more than the {2} allowed</source>
+      <translation>{0} hat {1} Bytes, mehr als die erlaubten {2}</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>{0} is damaged: OCCT makes no shape of it</source>
+      <translation>{0} ist beschädigt: OCCT macht keine Form daraus</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>{0} is damaged: {1}</source>
+      <translation>{0} ist beschädigt: {1}</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>{0} is cut off: its last line, which names the shape, is missing</source>
+      <translation>{0} ist abgeschnitten: die letzte Zeile, die die Form nennt, fehlt</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>{0} is cut off: its last line, of section T, is missing</source>
+      <translation>{0} ist abgeschnitten: die letzte Zeile, von Abschnitt T, fehlt</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>{0} is of no known type: neither STEP, IGES, BREP nor FCStd</source>
+      <translation>{0} ist von keinem bekannten Typ: weder STEP, IGES, BREP noch FCStd</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>{0}: cannot tell the type to write from '{1}'; known are {2}</source>
+      <translation>{0}: '{1}' sagt nicht, welcher Typ zu schreiben ist; bekannt sind {2}</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>{0}: it is no JSON document</source>
+      <translation>{0}: es ist kein JSON-Dokument</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>{0}: no JSON object with "sides"</source>
+      <translation>{0}: kein JSON-Objekt mit "sides"</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>a side needs "{0}", a polynomial as text</source>
+      <translation>eine Seite braucht "{0}", ein Polynom als Text</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>a side needs "from"</source>
+      <translation>eine Seite braucht "from"</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>interrupted while {0}</source>
+      <translation>unterbrochen: {0}</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>nothing was written</source>
+      <translation>nichts wurde geschrieben</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>face {0} removed, the neighbours grown together</source>
+      <translation>Face{0} entfernt, die Nachbarn zusammengewachsen</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>faces {0} removed, the neighbours grown together</source>
+      <translation>faces {0} entfernt, die Nachbarn zusammengewachsen</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>half angle {0} deg</source>
+      <translation>halber Winkel {0}°</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>{0}, allowed {1}, at {2}: {3}</source>
+      <translation>{0}, erlaubt {1}, bei {2}: {3}</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>{0}, allowed {1}, at {2}</source>
+      <translation>{0}, erlaubt {1}, bei {2}</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>{0}, allowed {1}, edge {2}, at {3}</source>
+      <translation>{0}, erlaubt {1}, Edge{2}, bei {3}</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>{0}, allowed {1}, edge {2}</source>
+      <translation>{0}, erlaubt {1}, Edge{2}</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>{0}, allowed {1}</source>
+      <translation>{0}, erlaubt {1}</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>gap {0}</source>
+      <translation>Spalt {0}</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>angle {0}</source>
+      <translation>Winkel {0}</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>curvature mismatch {0}</source>
+      <translation>Krümmungsabweichung {0}</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>crease inside the new face of {0}</source>
+      <translation>Knick in der neuen Fläche von {0}</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>the new face folds</source>
+      <translation>die neue Fläche faltet sich</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>the new face folds, at {0}</source>
+      <translation>die neue Fläche faltet sich, bei {0}</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>the new face cuts another one, to a depth of {0}</source>
+      <translation>die neue Fläche schneidet eine andere, bis zur Tiefe {0}</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>the new face lies on another one, with a share of {0}</source>
+      <translation>die neue Fläche liegt auf einer anderen, zum Anteil {0}</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>area over that of a surface stretched across the hole: {0}</source>
+      <translation>Verhältnis zur Größe einer über das Loch gespannten Fläche: {0}</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>the edge's tolerance grew to {0}</source>
+      <translation>die Toleranz der Kante wuchs auf {0}</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>tangency given up, angle {0}</source>
+      <translation>nicht mehr tangential, Winkel {0}</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>distance of a point to be passed {0}</source>
+      <translation>Abstand eines Punktes, durch den es gehen soll: {0}</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>an edge of the new face does not belong to two faces</source>
+      <translation>eine Kante der neuen Fläche gehört nicht zu zwei Flächen</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>could not be measured</source>
+      <translation>konnte nicht gemessen werden</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>the shape is not valid</source>
+      <translation>die Form ist nicht gültig</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>inside the face</source>
+      <translation>in der Fläche</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>cylinder</source>
+      <translation>Zylinder</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>plane</source>
+      <translation>Ebene</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>cone</source>
+      <translation>Kegel</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>sphere</source>
+      <translation>Kugel</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>B-spline surface</source>
+      <translation>B-Spline-Fläche</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>the surface of face {0}</source>
+      <translation>die Fläche von Face{0}</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>face {0}, offset by {1}</source>
+      <translation>Face{0}, um {1} versetzt</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>{0} as of face {1}</source>
+      <translation>{0} wie bei Face{1}</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>axis that of face {0}</source>
+      <translation>Achse die von Face{0}</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>axis parallel to face {0}'s</source>
+      <translation>Achse parallel zu der von Face{0}</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>axis at right angles to face {0}</source>
+      <translation>Achse rechtwinklig zu Face{0}</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>mirrored twin of face {0}</source>
+      <translation>Spiegelbild von Face{0}</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>copy of face {0}</source>
+      <translation>Kopie von Face{0}</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>rolling ball r = {0}</source>
+      <translation>rollende Kugel r = {0}</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>cone half angle = {0} deg</source>
+      <translation>Kegel mit halbem Winkel {0}°</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>{0} between the rims</source>
+      <translation>{0} zwischen den Rändern</translation>
     </message>
   </context>
 </TS>

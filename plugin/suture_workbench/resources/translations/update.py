@@ -4,7 +4,7 @@
 
     update.py [LANGUAGE...]   by default those that there are; a new one (update.py fr) begins empty
 
-Every text in translate("…"), mark("…"), QT_TRANSLATE_NOOP("context", "…") and in the .ui files is taken. What has been translated stays; what is gone from
+Every text in translate("…"), mark("…"), QT_TRANSLATE_NOOP("context", "…") in the .ui files and in program.txt is taken. What has been translated stays; what is gone from
 the sources goes. Needs lrelease (Debian: qttools5-dev-tools).
 """
 
@@ -17,6 +17,7 @@ from pathlib import Path
 HERE = Path(__file__).resolve().parent
 SOURCES = HERE.parent.parent.parent  # plugin/
 CONTEXT = "Suture"
+PROGRAM = "Suture_program"
 
 
 def texts():
@@ -28,6 +29,9 @@ def texts():
             if isinstance(node, ast.Call):
                 for context, text in _texts_of(node):
                     found.setdefault((context, text), place)
+    for line in (HERE / "program.txt").read_text(encoding="utf-8").splitlines():
+        if line and not line.startswith("#"):
+            found.setdefault((PROGRAM, line), "program.txt")
     for path in sorted(SOURCES.rglob("*.ui")):
         form = ElementTree.parse(path).getroot()
         for string in form.iter("string"):
