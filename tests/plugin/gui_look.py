@@ -28,15 +28,27 @@ def cut_off(driver, panel):
     return outside
 
 
+def squeezed(driver, panel):
+    """The labels that are lower than their text is in their width."""
+    labels = driver.find(panel).findChildren(QtGui.QLabel)
+    return [
+        label.objectName() or label.text()
+        for label in labels
+        if label.isVisible() and label.text() and label.height() < label.heightForWidth(label.width())
+    ]
+
+
 def look_at_panel(driver, panel, name, *folds):
     """Measures and pictures a panel, as it opens and with all of it unfolded."""
     yield driver.pause(0.4)
+    yield driver.until("all labels at their height", lambda: not squeezed(driver, panel), 20)
     driver.said["cut_off"][name] = cut_off(driver, panel)
     driver.said["widths"][name] = driver.find(panel).width()
     driver.picture(name)
     for fold in folds:
         driver.unfold(fold)
         yield driver.pause(0.2)
+        yield driver.until("all labels at their height", lambda: not squeezed(driver, panel), 20)
     if folds:
         driver.said["cut_off"][name + " unfolded"] = cut_off(driver, panel)
         form = driver.find(panel)
