@@ -96,8 +96,11 @@ deb() {
     for dist in $dists; do
         packages=$ship
         [ "$dist" = "$(. /etc/os-release && echo "$VERSION_CODENAME")" ] || packages=$ship/$dist
-        ls "$packages"/suture_*.deb >/dev/null
-        deb_in "$dist"
+        if ls "$packages"/suture_*.deb >/dev/null 2>&1; then
+            deb_in "$dist"
+        else
+            echo "=== deb in $dist: there is none in $packages"
+        fi
     done
 }
 
