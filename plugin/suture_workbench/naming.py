@@ -39,12 +39,13 @@ def _kept(shape, before, origins):
     stand in their old order, and where they were."""
     numbers = [{kind: _numbers(one, kind) for kind in ("Edge", "Vertex")} for one in (shape, before)]
     reach = max(1e-6 * before.BoundBox.DiagonalLength, 1e-7)
+    faces, old_faces = shape.Faces, before.Faces  # FreeCAD makes the list anew each time
     same = {}
     for index, origin in enumerate(origins):
         if origin is None:
             continue
         same[f"Face{index + 1}"] = f"Face{origin + 1}"
-        face, old_face = shape.Faces[index], before.Faces[origin]
+        face, old_face = faces[index], old_faces[origin]
         for kind in ("Edge", "Vertex"):
             elements, old_elements = getattr(face, _KINDS[kind]), getattr(old_face, _KINDS[kind])
             if len(elements) != len(old_elements):
