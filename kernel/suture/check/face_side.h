@@ -50,6 +50,10 @@ class FaceSide {
     /// The surface's parameters of the nearest point.
     [[nodiscard]] gp_Pnt2d parameters(double t, const gp_Pnt& point);
 
+    /// Where uv lies on a knot line with less than C2 and the edge runs along it: a small step in
+    /// the parameters into the face. Else zero.
+    [[nodiscard]] gp_Vec2d off_breaks(double t, const gp_Pnt2d& uv);
+
     /// Polynomial pieces of the surface that the edge passes: how finely to sample.
     [[nodiscard]] int pieces() const { return pieces_; }
     /// Where the edge passes from one piece to the next, as parts of its range; unordered.
@@ -87,7 +91,6 @@ class FaceSide {
     /// Looks all over the surface for a point nearer than on_surface.
     void project_globally(const gp_Pnt& local, gp_Pnt2d& uv, gp_Pnt& on_surface);
     void search_grid(const gp_Pnt& local, gp_Pnt2d& uv, gp_Pnt& on_surface);
-    [[nodiscard]] gp_Vec2d off_breaks(double t, const gp_Pnt2d& uv);
     void set_local(BorderPoint& result, double t, const gp_Pnt2d& uv, const gp_Pnt& local,
                    const gp_Vec& tangent, bool with_slope);
     [[nodiscard]] gp_Vec2d inward(double t);

@@ -68,9 +68,13 @@ TEST_P(CertifiesFiles, NeverBelowDenseSamplesAndMostlyCloseAbove) {
 
 INSTANTIATE_TEST_SUITE_P(Public, CertifiesFiles,
                          testing::Values(File{"nacelle.stp", 0.7}, File{"ubend2.stp", 1.0},
-                                         File{"Trigger_SO101.step", 0.95},
+                                         File{"Trigger_SO101.step", 1.0},
                                          File{"hip_aa_support.STEP", 0.95},
-                                         File{"nist_ctc_05_asme1_rd.stp", 0.95}));
+                                         File{"nist_ctc_05_asme1_rd.stp", 1.0},
+                                         // Extrusions; poles.
+
+                                         File{"Reflector_Definition.step", 0.99},
+                                         File{"4040_base_mount.step", 1.0}));
 
 }  // namespace
 }  // namespace suture

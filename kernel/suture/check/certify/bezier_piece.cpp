@@ -239,6 +239,62 @@ BezierPiece::Jet BezierPiece::along(const TaylorModel& x, const TaylorModel& y) 
     return jet;
 }
 
+BezierPiece::Jet BezierPiece::divided(const TaylorModel& x, const TaylorModel& y) const {
+    const auto columns = static_cast<std::size_t>(q_ + 1);
+    const auto rows = static_cast<std::size_t>(p_ + 1);
+    const auto start = [&](std::size_t c) {
+        double value = 0.0;
+        for (std::size_t i = 0; i < rows; ++i) {
+            value += (i % 2 == 0 ? 1.0 : -1.0) * powers_.at(c)[i * columns];
+        }
+        return value;
+    };
+    const double w0 = rational_ ? start(3) : 1.0;
+    BezierPiece quotient = *this;
+    quotient.p_ = p_ - 1;
+    quotient.rational_ = false;
+    for (std::size_t c = 0; c < 3; ++c) {
+        const double P = start(c) / w0;
+        std::vector<double>& b = quotient.powers_.at(c);
+        std::vector<double>& errors = quotient.errors_.at(c);
+        b.assign((rows - 1) * columns, 0.0);
+        errors.assign(b.size(), 0.0);
+        for (std::size_t j = 0; j < columns; ++j) {
+            // Divided from the highest power down; what remains is 0 but for rounding.
+            double above = 0.0;
+            double error = 0.0;
+            for (std::size_t i = rows - 1; i >= 1; --i) {
+                const std::size_t from = i * columns + j;
+                double value = powers_.at(c)[from];
+                error += errors_.at(c)[from] + kRounding * std::abs(value);
+                if (rational_) {
+                    value -= powers_[3][from] * P;
+                    error += std::abs(P) *
+                             (errors_[3][from] + 4 * kRounding * std::abs(powers_[3][from]));
+                }
+                above = value - above;
+                error += kRounding * std::abs(above);
+                b[from - columns] = above;
+                errors[from - columns] = error;
+            }
+        }
+        // As Bezier points: p/i of a difference of two of them, by half of x + 1.
+        quotient.net_error_.at(c) =
+            p_ * (net_error_.at(c) + (rational_ ? std::abs(P) * net_error_[3] : 0.0));
+    }
+    const auto t = quotient.derivative(0, 0, x, y);
+    const auto tx = quotient.derivative(1, 0, x, y);
+    const auto ty = quotient.derivative(0, 1, x, y);
+    Jet jet{{t[0], t[1], t[2]}, {tx[0], tx[1], tx[2]}, {ty[0], ty[1], ty[2]}};
+    if (rational_) {
+        const TaylorModel over = inverse(derivative(0, 0, x, y)[3]);
+        jet.S = over * jet.S;
+        jet.Sx = over * (jet.Sx - derivative(1, 0, x, y)[3] * jet.S);
+        jet.Sy = over * (jet.Sy - derivative(0, 1, x, y)[3] * jet.S);
+    }
+    return jet;
+}
+
 BezierPiece::Bounds BezierPiece::bounds() const {
     const auto a = bound(0, 0);
     const auto ax = bound(1, 0);

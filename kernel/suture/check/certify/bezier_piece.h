@@ -58,6 +58,9 @@ class BezierPiece {
     };
     [[nodiscard]] Bounds bounds() const;
 
+    /// Where the piece is one point P for x = -1: (S - P) / (x + 1), a polynomial or rational too.
+    [[nodiscard]] Jet divided(const TaylorModel& x, const TaylorModel& y) const;
+
   private:
     /// Homogeneous derivative of order (i, j) along the path.
     [[nodiscard]] std::array<TaylorModel, 4> derivative(int i, int j, const TaylorModel& x,

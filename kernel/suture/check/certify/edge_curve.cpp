@@ -10,7 +10,9 @@
 #include <TColStd_Array1OfReal.hxx>
 #include <gp_Circ.hxx>
 #include <gp_Elips.hxx>
+#include <gp_Hypr.hxx>
 #include <gp_Lin.hxx>
+#include <gp_Parab.hxx>
 
 namespace suture::certify {
 
@@ -49,24 +51,30 @@ EdgeCurve::EdgeCurve(const TopoDS_Edge& edge) {
     switch (adaptor.GetType()) {
         case GeomAbs_Line: {
             const gp_Lin line = adaptor.Line();
-            conic_ = Conic{to_array(line.Location().XYZ()),
-                           to_array(line.Direction().XYZ()),
-                           {},
-                           /*straight=*/true};
+            conic_ = Conic{Conic::Kind::Line, to_array(line.Location().XYZ()),
+                           to_array(line.Direction().XYZ())};
             return;
         }
         case GeomAbs_Circle: {
             const gp_Circ circle = adaptor.Circle();
-            conic_ = Conic{to_array(circle.Location().XYZ()),
-                           to_array(circle.Radius() * circle.XAxis().Direction().XYZ()),
-                           to_array(circle.Radius() * circle.YAxis().Direction().XYZ())};
+            set_conic(Conic::Kind::Ellipse, circle.Position(), circle.Radius(), circle.Radius());
             return;
         }
         case GeomAbs_Ellipse: {
             const gp_Elips ellipse = adaptor.Ellipse();
-            conic_ = Conic{to_array(ellipse.Location().XYZ()),
-                           to_array(ellipse.MajorRadius() * ellipse.XAxis().Direction().XYZ()),
-                           to_array(ellipse.MinorRadius() * ellipse.YAxis().Direction().XYZ())};
+            set_conic(Conic::Kind::Ellipse, ellipse.Position(), ellipse.MajorRadius(),
+                      ellipse.MinorRadius());
+            return;
+        }
+        case GeomAbs_Parabola: {
+            const gp_Parab parabola = adaptor.Parabola();
+            set_conic(Conic::Kind::Parabola, parabola.Position(), 0.25 / parabola.Focal(), 1.0);
+            return;
+        }
+        case GeomAbs_Hyperbola: {
+            const gp_Hypr hyperbola = adaptor.Hyperbola();
+            set_conic(Conic::Kind::Hyperbola, hyperbola.Position(), hyperbola.MajorRadius(),
+                      hyperbola.MinorRadius());
             return;
         }
         case GeomAbs_BSplineCurve:
@@ -80,14 +88,19 @@ EdgeCurve::EdgeCurve(const TopoDS_Edge& edge) {
             return;
         }
         default:
-            reason_ = "its curve is none of line, circle, ellipse and B-spline";
+            reason_ = "its curve is no line, conic or B-spline";
     }
+}
+
+void EdgeCurve::set_conic(Conic::Kind kind, const gp_Ax2& frame, double x, double y) {
+    conic_ = Conic{kind, to_array(frame.Location().XYZ()), to_array(x * frame.XDirection().XYZ()),
+                   to_array(y * frame.YDirection().XYZ())};
 }
 
 std::vector<Span> EdgeCurve::pieces() const {
     std::vector<double> ends = {range_.low, range_.high};
-    if (conic_ && !conic_->straight) {
-        // The series of sine and cosine are good for a radian or so.
+    if (conic_ && conic_->kind != Conic::Kind::Line) {
+        // The series of sine, cosine and exponential are good for a radian or so.
         const int parts = static_cast<int>(std::ceil(range_.high - range_.low));
         for (int i = 1; i < parts; ++i) {
             ends.push_back(range_.low + (range_.high - range_.low) * i / parts);
@@ -122,16 +135,33 @@ TaylorModel3 EdgeCurve::model(const Span& stretch, const std::array<double, 3>& 
     }
     // A little longer than half, so that neighbouring stretches leave nothing out between them.
     const double half = 0.5 * (stretch.high - stretch.low) + 2 * kRounding * std::abs(middle);
+    const TaylorModel t = TaylorModel::linear(middle, half);
+    TaylorModel f = t;
+    TaylorModel g;
+    switch (conic_->kind) {
+        case Conic::Kind::Line:
+            break;
+        case Conic::Kind::Ellipse:
+            f = cosine(middle, half);
+            g = sine(middle, half);
+            break;
+        case Conic::Kind::Parabola:
+            f = t * t;
+            g = t;
+            break;
+        case Conic::Kind::Hyperbola: {
+            const TaylorModel growing = exponential(middle, half);
+            const TaylorModel falling = exponential(-middle, -half);
+            f = TaylorModel(0.5) * (growing + falling);
+            g = TaylorModel(0.5) * (growing - falling);
+        }
+    }
     TaylorModel3 result;
     for (std::size_t i = 0; i < 3; ++i) {
         const double size = std::abs(conic_->center.at(i)) + std::abs(origin.at(i));
         const TaylorModel center =
             TaylorModel(conic_->center.at(i) - origin.at(i)).widened(4 * kRounding * size);
-        result.at(i) =
-            conic_->straight
-                ? center + TaylorModel(conic_->x.at(i)) * TaylorModel::linear(middle, half)
-                : center + TaylorModel(conic_->x.at(i)) * cosine(middle, half) +
-                      TaylorModel(conic_->y.at(i)) * sine(middle, half);
+        result.at(i) = center + TaylorModel(conic_->x.at(i)) * f + TaylorModel(conic_->y.at(i)) * g;
     }
     return result;
 }

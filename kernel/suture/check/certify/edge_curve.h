@@ -3,6 +3,7 @@
 #include "suture/check/certify/bezier_piece.h"
 
 #include <TopoDS_Edge.hxx>
+#include <gp_Ax2.hxx>
 
 #include <optional>
 #include <string>
@@ -10,7 +11,7 @@
 
 namespace suture::certify {
 
-/// The curve of an edge as the certificate sees it: line, circle, ellipse or B-spline.
+/// The curve of an edge as the certificate sees it: line, conic or B-spline.
 class EdgeCurve {
   public:
     /// Refuses  any other curve, and an edge without one: `reason` says so.
@@ -26,11 +27,15 @@ class EdgeCurve {
                                      const std::array<double, 3>& origin) const;
 
   private:
-    /// center + cos(t) x + sin(t) y, or center + t x.
+    /// center + f(t) x + g(t) y, with f and g by kind: t and 0; cos t and sin t; t^2 and t; cosh t
+    /// and sinh t.
     struct Conic {
+        enum class Kind { Line, Ellipse, Parabola, Hyperbola };
+        Kind kind = Kind::Line;
         std::array<double, 3> center = {}, x = {}, y = {};
-        bool straight = false;
     };
+    void set_conic(Conic::Kind kind, const gp_Ax2& frame, double x, double y);
+
     Span range_;
     std::optional<Conic> conic_;
     std::optional<SplineCurve> spline_;

@@ -3,11 +3,9 @@
 
 #include "suture/occ/handle.h"
 
+#include <BRep_Tool.hxx>
 #include <GeomAdaptor_Surface.hxx>
-#include <GeomConvert.hxx>
-#include <Geom_BSplineSurface.hxx>
-#include <Geom_BezierSurface.hxx>
-#include <TColStd_Array1OfReal.hxx>
+#include <Geom_RectangularTrimmedSurface.hxx>
 #include <gp_Ax3.hxx>
 
 namespace suture::certify {
@@ -18,64 +16,64 @@ namespace {
 // coordinate: its placement in the model.
 constexpr double kPlacement = 32 * kRounding;
 
-SplineSurface from_occ(const Geom_BSplineSurface& surface) {
-    SplineSurface result;
-    result.degree_u = surface.UDegree();
-    result.degree_v = surface.VDegree();
-    const TColStd_Array1OfReal& knots_u = surface.UKnotSequence();
-    const TColStd_Array1OfReal& knots_v = surface.VKnotSequence();
-    result.knots_u.assign(knots_u.begin(), knots_u.end());
-    result.knots_v.assign(knots_v.begin(), knots_v.end());
-    result.rational = surface.IsURational() || surface.IsVRational();
-    for (int i = 1; i <= surface.NbUPoles(); ++i) {
-        for (int j = 1; j <= surface.NbVPoles(); ++j) {
-            const gp_Pnt p = surface.Pole(i, j);
-            const double w = surface.Weight(i, j);
-            result.poles.push_back({w * p.X(), w * p.Y(), w * p.Z(), w});
-        }
-    }
-    return result;
-}
-
 TaylorModel3 constant(const gp_XYZ& v) {
     return {v.X(), v.Y(), v.Z()};
 }
 
-const char* name_of(GeomAbs_SurfaceType type) {
-    switch (type) {
-        case GeomAbs_SurfaceOfRevolution:
-            return "a surface of revolution";
-        case GeomAbs_SurfaceOfExtrusion:
-            return "a surface of extrusion";
-        case GeomAbs_OffsetSurface:
-            return "an offset surface";
-        default:
-            return "of a kind that is not treated";
-    }
-}
-
 }  // namespace
 
-CertifiedSurface::CertifiedSurface(const occ::Handle<Geom_Surface>& surface) : surface_(surface) {
-    const GeomAdaptor_Surface adaptor(surface);
-    switch (adaptor.GetType()) {
+CertifiedSurface::CertifiedSurface(const TopoDS_Face& face) : surface_(BRep_Tool::Surface(face)) {
+    while (const auto trimmed = occ::cast<Geom_RectangularTrimmedSurface>(surface_)) {
+        surface_ = trimmed->BasisSurface();
+    }
+    switch (GeomAdaptor_Surface(surface_).GetType()) {
         case GeomAbs_Plane:
         case GeomAbs_Cylinder:
         case GeomAbs_Cone:
         case GeomAbs_Sphere:
         case GeomAbs_Torus:
             return;
-        case GeomAbs_BSplineSurface:
-        case GeomAbs_BezierSurface: {
-            const auto spline = GeomConvert::SurfaceToBSplineSurface(surface);
-            spline->SetUNotPeriodic();
-            spline->SetVNotPeriodic();
-            spline_ = from_occ(*spline);
-            return;
-        }
         default:
-            reason_ = name_of(adaptor.GetType());
+            spline_.emplace(face, surface_);
+            reason_ = spline_->reason();
     }
+}
+
+bool CertifiedSurface::same_elementary(const CertifiedSurface& other) const {
+    if (!is_elementary() || !other.is_elementary()) {
+        return false;
+    }
+    const GeomAdaptor_Surface a(surface_);
+    const GeomAdaptor_Surface b(other.surface_);
+    const auto same_place = [](const gp_Ax3& one, const gp_Ax3& two) {
+        return one.Location().XYZ().IsEqual(two.Location().XYZ(), 0.0) &&
+               one.Direction().XYZ().IsEqual(two.Direction().XYZ(), 0.0);
+    };
+    if (a.GetType() != b.GetType()) {
+        return false;
+    }
+    switch (a.GetType()) {
+        case GeomAbs_Plane:
+            return same_place(a.Plane().Position(), b.Plane().Position());
+        case GeomAbs_Cylinder:
+            return same_place(a.Cylinder().Position(), b.Cylinder().Position()) &&
+                   a.Cylinder().Radius() == b.Cylinder().Radius();
+        case GeomAbs_Cone:
+            return same_place(a.Cone().Position(), b.Cone().Position()) &&
+                   a.Cone().RefRadius() == b.Cone().RefRadius() &&
+                   a.Cone().SemiAngle() == b.Cone().SemiAngle();
+        case GeomAbs_Sphere:
+            return same_place(a.Sphere().Position(), b.Sphere().Position()) &&
+                   a.Sphere().Radius() == b.Sphere().Radius();
+        default:
+            return same_place(a.Torus().Position(), b.Torus().Position()) &&
+                   a.Torus().MajorRadius() == b.Torus().MajorRadius() &&
+                   a.Torus().MinorRadius() == b.Torus().MinorRadius();
+    }
+}
+
+std::array<double, 2> CertifiedSurface::node(const gp_Pnt2d& uv, const gp_Pnt& point) const {
+    return spline_->parameters(uv, point);
 }
 
 /// The closed forms of the nearest point; `w` is the curve counted from the surface's own origin.

@@ -1,117 +1,27 @@
 // The nearest points of a B-spline surface. With them proven: near a path x0(t) in the parameters,
-// where f = |S - C|^2 / 2 is convex with a least curvature λ, the minimum of f over the domain is
-// no farther from x0 than |projected gradient of f at x0| / λ. The path need not be exact for that.
+// where f = |S - C|^2 / 2 is convex around it with a least curvature λ, the minimum of f over the
+// domain is no farther from x0 than |projected gradient of f at x0| / λ. The path need not be exact
+// for that.
 #include "suture/check/certify/foot_point.h"
+#include "suture/check/certify/spline_path.h"
 #include "suture/occ/handle.h"
 
 #include <algorithm>
-#include <numbers>
 
 namespace suture::certify {
 
 namespace {
 
-constexpr int kPathDegree = 6;
-
-// How far the box around a path reaches beyond it: this part of its width, and of the knot span's.
-constexpr double kMargin = 0.25;
-constexpr double kLeastMargin = 1e-3;
-
-// A sampled parameter this near the domain's border, as a part of its width, lies on it.
-constexpr double kOnBorder = 1e-12;
-
-// One this far outside is another turn of a periodic surface.
+// One this far outside of the whole surface is another turn of a periodic one.
 constexpr double kLeaves = 1e-9;
+
+// Nodes this near to a knot with a kink, as a part of the surface's range, run along it.
+constexpr double kOnKink = 1e-8;
 
 constexpr std::size_t kMostPieces = 4;
 
-/// The polynomial through values at path_points().
-std::vector<double> interpolate(const std::vector<double>& values) {
-    // Newton's form, multiplied out.
-    const std::vector<double>& x = path_points();
-    std::vector<double> d = values;
-    for (std::size_t r = 1; r < d.size(); ++r) {
-        for (std::size_t i = d.size() - 1; i >= r; --i) {
-            d[i] = (d[i] - d[i - 1]) / (x[i] - x[i - r]);
-        }
-    }
-    std::vector<double> powers = {d.back()};
-    for (std::size_t i = d.size() - 1; i-- > 0;) {
-        powers.insert(powers.begin(), 0.0);
-        for (std::size_t k = 0; k + 1 < powers.size(); ++k) {
-            powers[k] -= x[i] * powers[k + 1];
-        }
-        powers[0] += d[i];
-    }
-    return powers;
-}
-
-/// One parameter along the stretch, in units of a box around it.
-struct Path {
-    Span box;
-    TaylorModel model;                     ///< in [-1, 1] of the box
-    double low = 0.0, high = 0.0;          ///< the domain in these units
-    bool at_low = false, at_high = false;  ///< runs along the domain's border
-    double outside = 0.0;                  ///< how far it leaves the domain
-    std::vector<int> spans;                ///< k with knots[k] < knots[k + 1] that the box touches
-    bool crease = false;                   ///< the box holds a knot at which the surface is only C0
-
-    [[nodiscard]] double reach() const { return model.range().magnitude(); }
-};
-
-Path make_path(const std::vector<double>& nodes, const std::vector<double>& knots, int degree) {
-    Path path;
-    const auto p = static_cast<std::size_t>(degree);
-    const double first = knots[p];
-    const double last = knots[knots.size() - p - 1];
-    const auto [least, most] = std::ranges::minmax(nodes);
-    path.at_low = most - first <= kOnBorder * (last - first);
-    path.at_high = last - least <= kOnBorder * (last - first);
-    double span_width = last - first;
-    for (std::size_t k = p; k + p + 1 < knots.size(); ++k) {
-        if (knots[k] < knots[k + 1] && knots[k] <= most && knots[k + 1] >= least) {
-            span_width = std::min(span_width, knots[k + 1] - knots[k]);
-        }
-    }
-    if (least < first - kLeaves * (last - first) || most > last + kLeaves * (last - first)) {
-        return path;
-    }
-    const double margin = kMargin * (most - least) + kLeastMargin * span_width;
-    path.box = {least - margin, most + margin};
-    for (std::size_t k = p; k + p + 1 < knots.size(); ++k) {
-        if (knots[k] < knots[k + 1] && knots[k] < path.box.high && knots[k + 1] > path.box.low) {
-            path.spans.push_back(static_cast<int>(k));
-        }
-        const bool inside = knots[k] > path.box.low && knots[k] < path.box.high;
-        const auto repeated = std::ranges::count(knots, knots[k]);
-        path.crease =
-            path.crease || (inside && knots[k] > first && knots[k] < last && repeated >= degree);
-    }
-    const double middle = 0.5 * (path.box.low + path.box.high);
-    const double half = 0.5 * (path.box.high - path.box.low);
-    path.low = (first - middle) / half;
-    path.high = (last - middle) / half;
-    if (path.at_low || path.at_high) {
-        path.model = TaylorModel(path.at_low ? path.low : path.high);
-        return path;
-    }
-    std::vector<double> values(nodes.size());
-    std::transform(nodes.begin(), nodes.end(), values.begin(),
-                   [&](double node) { return (node - middle) / half; });
-    path.model = TaylorModel(interpolate(values), 0.0);
-    const Interval range = path.model.range();
-    path.outside = std::max({0.0, path.low - range.low, range.high - path.high});
-    return path;
-}
-
-/// The part of a gradient that a minimum inside the domain would not have: at its border only what
-/// would lead inwards.
-double projected(const Interval& gradient, const Path& path) {
-    if (path.at_low) {
-        return std::max(0.0, -gradient.low);
-    }
-    return path.at_high ? std::max(0.0, gradient.high) : gradient.magnitude();
-}
+// Normals of a converted surface, whose poles have been rounded.
+constexpr double kTurnedByRounding = 1e-12;
 
 /// What one polynomial piece says of the path.
 struct PieceFoot {
@@ -146,9 +56,12 @@ std::optional<PieceFoot> look_at(const BezierPiece& piece, const Path& u, const 
     const double gv = projected(dot(r, result.jet.Sy).range(), v) * beta;
     result.gradient = std::hypot(gu, gv);
     const BezierPiece::Bounds& b = result.bounds;
+    // From the edge to any point no farther from the path than the box's margins.
+    const double around = longest(b.Sx) * (1.0 - u.reach()) + longest(b.Sy) * (1.0 - v.reach());
     Interval3 apart;
     for (std::size_t i = 0; i < 3; ++i) {
-        apart.at(i) = b.S.at(i) - curve.at(i).range();
+        const Interval range = r.at(i).range();
+        apart.at(i) = Interval{range.low - around, range.high + around}.widened();
     }
     const auto scaled = [](double factor, const Interval& a) {
         return Interval{factor, factor} * a;
@@ -181,56 +94,84 @@ std::optional<Foot> foot_of(const PieceFoot& piece, const Scale& scale, double d
     return known(foot.point) && known(foot.normal) ? std::optional(foot) : std::nullopt;
 }
 
-}  // namespace
-
-const std::vector<double>& path_points() {
-    static const std::vector<double> points = [] {
-        std::vector<double> result;
-        for (int k = kPathDegree; k >= 0; --k) {
-            result.push_back(std::cos(std::numbers::pi * (k + 0.5) / (kPathDegree + 1)));
-        }
-        return result;
-    }();
-    return points;
+/// How far beyond the domain's border, and how much the surface's normals turn per length: what
+/// feet on an offset surface need besides.
+double beside_border(const PieceFoot& piece, const Foot& foot, double offset,
+                     const TaylorModel3& curve, const Scale& scale) {
+    // Held by the border, the nearest point of the offset is not that over the nearest point of
+    // what it is offset from; but no farther from the edge, and so no farther from it than twice
+    // its own distance.
+    const double apart = 2.0 * longest(foot.point + TaylorModel(offset) * foot.normal - curve);
+    const BezierPiece::Bounds& b = piece.bounds;
+    const double xx = dot(b.Sx, b.Sx).low * scale.alpha * scale.alpha;
+    const double yy = dot(b.Sy, b.Sy).low * scale.beta * scale.beta;
+    const double xy = dot(b.Sx, b.Sy).magnitude() * scale.alpha * scale.beta;
+    const double metric = 0.5 * (xx + yy) - std::hypot(0.5 * (xx - yy), xy);
+    const double bend = longest(b.Sxx) * scale.alpha * scale.alpha +
+                        2.0 * longest(b.Sxy) * scale.alpha * scale.beta +
+                        longest(b.Syy) * scale.beta * scale.beta;
+    const double shrunk = 1.0 - std::abs(offset) * bend / metric;
+    if (!(metric > 0.0) || !(shrunk > 0.0)) {
+        return std::numeric_limits<double>::infinity();
+    }
+    return apart / (shrunk * std::sqrt(metric));
 }
 
-std::vector<Foot> CertifiedSurface::spline_feet(const Stretch& stretch, std::string& why) const {
-    std::array<std::vector<double>, 2> nodes;
+/// Of each direction the values of the nodes.
+std::vector<double> values_of(const Stretch& stretch, std::size_t direction) {
+    std::vector<double> values;
+    values.reserve(stretch.nodes.size());
     for (const auto& node : stretch.nodes) {
-        nodes[0].push_back(node[0]);
-        nodes[1].push_back(node[1]);
+        values.push_back(node.at(direction));
     }
-    const Path u = make_path(nodes[0], spline_->knots_u, spline_->degree_u);
-    const Path v = make_path(nodes[1], spline_->knots_v, spline_->degree_v);
+    return values;
+}
+
+}  // namespace
+std::vector<Foot> feet_on(const SmoothPiece& smooth, double offset, const Stretch& stretch,
+                          double& off_path, std::string& why) {
+    off_path = std::numeric_limits<double>::infinity();
+    const SplineSurface& surface = smooth.surface;
+    const auto ends_in_a_point = [&](bool across_u) {
+        std::array<bool, 2> ends = {false, false};
+        for (const PoleOfSpline& pole : smooth.poles) {
+            ends.at(pole.at_low ? 0 : 1) |= pole.across_u == across_u;
+        }
+        return ends;
+    };
+    const auto any = [](const std::array<bool, 2>& ends) { return ends[0] || ends[1]; };
+    const auto ends_u = ends_in_a_point(true);
+    const auto ends_v = ends_in_a_point(false);
+    const Path u =
+        make_path(values_of(stretch, 0), surface.knots_u, surface.degree_u, ends_u, any(ends_v));
+    const Path v =
+        make_path(values_of(stretch, 1), surface.knots_v, surface.degree_v, ends_v, any(ends_u));
     why = "no bound at this length";
-    if (u.spans.empty() || v.spans.empty()) {
-        why = "the edge leaves the surface's parameter range";
-        return {};
-    }
-    if (u.crease || v.crease) {
-        why = "the edge runs along or across a knot at which the surface is only C0";
-        return {};
-    }
     if (u.spans.size() * v.spans.size() > kMostPieces) {
         return {};
     }
     std::vector<PieceFoot> pieces;
     std::optional<Scale> scale;
+    double off = 0.0;
     double gradient = 0.0;
     double least = std::numeric_limits<double>::infinity();
     double most = 0.0;
     for (const int ku : u.spans) {
         for (const int kv : v.spans) {
-            const BezierPiece piece(*spline_, ku, kv, u.box, v.box, stretch.origin);
+            const BezierPiece piece(surface, ku, kv, u.box, v.box, stretch.origin);
             const auto found = look_at(piece, u, v, stretch.curve, scale);
             if (!found) {
                 return {};
             }
+            off = std::max(off, longest(found->jet.S - stretch.curve));
             gradient = std::max(gradient, found->gradient);
             least = std::min(least, found->least);
             most = std::max(most, found->most);
             pieces.push_back(*found);
         }
+    }
+    if (u.outside == 0.0 && v.outside == 0.0) {
+        off_path = off;
     }
     if (!(least > 0.0)) {
         why = "the nearest point is not unique, or the surface is singular";
@@ -242,13 +183,82 @@ std::vector<Foot> CertifiedSurface::spline_feet(const Stretch& stretch, std::str
         !(v.reach() + scale->beta * distance <= 1.0)) {
         return {};
     }
+    const bool held = u.at_low || u.at_high || v.at_low || v.at_high || outside > 0.0;
     std::vector<Foot> feet;
-    for (const PieceFoot& piece : pieces) {
-        const auto foot = foot_of(piece, *scale, distance);
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+        const PieceFoot& piece = pieces[i];
+        if (!u.may_be_in(i / v.spans.size(), scale->alpha * distance) ||
+            !v.may_be_in(i % v.spans.size(), scale->beta * distance)) {
+            continue;
+        }
+        auto foot = foot_of(piece, *scale, distance);
+        if (foot && offset != 0.0 && held) {
+            foot = foot_of(piece, *scale,
+                           distance + beside_border(piece, *foot, offset, stretch.curve, *scale));
+        }
         if (!foot) {
             return {};
         }
+        if (offset != 0.0) {
+            foot->point = foot->point + TaylorModel(offset) * foot->normal;
+        }
         feet.push_back(*foot);
+    }
+    return feet;
+}
+
+std::vector<Foot> CertifiedSurface::spline_feet(const Stretch& stretch, std::string& why) const {
+    const auto at_pole = [&](double off_path) -> std::vector<Foot> {
+        for (const SmoothPiece& smooth : spline_->pieces()) {
+            const auto near = near_pole(smooth.poles, stretch);
+            if (near && spline_->offset() == 0.0) {
+                // The nearest point is no farther than the pole, nor than the path.
+                return {{widened(stretch.curve, std::min(off_path, near->distance)), near->normal}};
+            }
+        }
+        return {};
+    };
+    // For each direction the nodes' range; what only touches a kink does not cross it.
+    std::array<Span, 2> reach;
+    for (const std::size_t k : {0U, 1U}) {
+        const std::vector<double> values = values_of(stretch, k);
+        const auto [least, most] = std::ranges::minmax(values);
+        const auto [first, last] = spline_->range(k);
+        if (least < first - kLeaves * (last - first) || most > last + kLeaves * (last - first)) {
+            why = "the edge leaves the surface's parameter range";
+            return at_pole(std::numeric_limits<double>::infinity());
+        }
+        const double on_kink = kOnKink * (last - first);
+        if (most - least > 2.0 * on_kink) {
+            reach.at(k) = {least + on_kink, most - on_kink};
+        } else {
+            const double side =
+                std::clamp(0.5 * (least + most) + stretch.inward.at(k), first, last);
+            reach.at(k) = {side, side};
+        }
+    }
+    std::vector<Foot> feet;
+    for (const SmoothPiece& smooth : spline_->pieces()) {
+        const SplineSurface& surface = smooth.surface;
+        const auto touches = [](const std::vector<double>& knots, const Span& span) {
+            return knots.front() <= span.high && span.low <= knots.back();
+        };
+        if (!touches(surface.knots_u, reach[0]) || !touches(surface.knots_v, reach[1])) {
+            continue;
+        }
+        double off_path = 0.0;
+        std::vector<Foot> found = feet_on(smooth, spline_->offset(), stretch, off_path, why);
+        if (found.empty()) {
+            found = at_pole(off_path);
+        }
+        if (found.empty()) {
+            return {};
+        }
+        for (Foot& foot : found) {
+            foot.point = widened(foot.point, spline_->rounding());
+            foot.normal = widened(foot.normal, spline_->rounding() > 0.0 ? kTurnedByRounding : 0.0);
+            feet.push_back(foot);
+        }
     }
     return feet;
 }

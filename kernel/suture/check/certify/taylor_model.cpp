@@ -200,6 +200,19 @@ TaylorModel sine(double center, double half_width) {
     return turning(std::sin(center), -std::cos(center), half_width);
 }
 
+TaylorModel exponential(double center, double half_width) {
+    const double middle = std::exp(center);
+    std::vector<double> powers;
+    double term = middle;
+    for (int i = 0; i < kCount; ++i) {
+        powers.push_back(term);
+        term *= half_width / (i + 1);
+    }
+    const double grown = std::exp(std::abs(half_width));
+    const double rounding = 2 * kCount * kRounding * middle * grown;
+    return {powers, kSafe * (std::abs(term) * grown + rounding)};
+}
+
 TaylorModel dot(const TaylorModel3& a, const TaylorModel3& b) {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }

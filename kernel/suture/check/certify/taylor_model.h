@@ -62,6 +62,8 @@ TaylorModel sqrt(const TaylorModel& a);
 /// Of an angle that runs linearly: center + half_width x.
 [[nodiscard]] TaylorModel cosine(double center, double half_width);
 [[nodiscard]] TaylorModel sine(double center, double half_width);
+/// Of an exponent that runs so.
+[[nodiscard]] TaylorModel exponential(double center, double half_width);
 
 using TaylorModel3 = std::array<TaylorModel, 3>;
 
