@@ -193,6 +193,63 @@ Result<std::map<int, Continuity>> parse_edge_continuity(std::string_view text) {
     return result;
 }
 
+namespace {
+
+/// "3=7" -> (3, 7)
+Result<std::pair<int, int>> parse_edge_on_face(std::string_view entry) {
+    const std::size_t equals = entry.find('=');
+    if (equals == std::string_view::npos) {
+        return fail(ErrorCode::Usage, "'{}' names no support: write it as 3=7, edge and face",
+                    entry);
+    }
+    const Result<int> edge = parse_edge(entry.substr(0, equals));
+    const Result<int> face = parse_named(entry.substr(equals + 1), kFreecadFace, "a face");
+    for (const Result<int>& number : {edge, face}) {
+        if (!number) {
+            return tl::unexpected(number.error());
+        }
+    }
+    return std::pair(*edge, *face);
+}
+
+}  // namespace
+
+Result<std::map<int, int>> parse_supports(std::string_view text) {
+    std::map<int, int> result;
+    for (const std::string_view entry : split(text, ',')) {
+        const auto pair = parse_edge_on_face(entry);
+        if (!pair) {
+            return tl::unexpected(pair.error());
+        }
+        if (!result.insert(*pair).second) {
+            return fail(ErrorCode::Usage, "edge {} is given two supports", pair->first);
+        }
+    }
+    return result;
+}
+
+Result<std::vector<std::pair<int, int>>> parse_edges_on_faces(std::string_view text) {
+    std::vector<std::pair<int, int>> result;
+    for (const std::string_view entry : split(text, ',')) {
+        if (entry.find('=') != std::string_view::npos) {
+            const auto pair = parse_edge_on_face(entry);
+            if (!pair) {
+                return tl::unexpected(pair.error());
+            }
+            result.push_back(*pair);
+            continue;
+        }
+        const auto edges = parse_edges(entry);
+        if (!edges) {
+            return tl::unexpected(edges.error());
+        }
+        for (const int edge : *edges) {
+            result.emplace_back(edge, 0);
+        }
+    }
+    return result;
+}
+
 Result<void> expect_positive(std::string_view option, double value) {
     if (std::isfinite(value) && value > 0.0) {
         return {};

@@ -28,6 +28,12 @@ namespace suture::cli {
 /// The same of faces: "12,15-17", "Face12"
 [[nodiscard]] Result<std::vector<int>> parse_faces(std::string_view text);
 
+/// "3=7,4=7", "Edge3=Face7" -> {3: 7, 4: 7}
+[[nodiscard]] Result<std::map<int, int>> parse_supports(std::string_view text);
+
+/// "12,15-17", "12=7" -> {{12, 7}}: edges, and the face of each or 0
+[[nodiscard]] Result<std::vector<std::pair<int, int>>> parse_edges_on_faces(std::string_view text);
+
 /// "3,7", "Vertex3,Vertex7" -> {3, 7}
 [[nodiscard]] Result<std::pair<int, int>> parse_vertices(std::string_view text);
 

@@ -59,6 +59,7 @@ struct FillOptions {
     std::vector<std::string> boundaries;
     std::string replace_faces, remove_faces;
     std::vector<std::string> splits;
+    std::string supports;
     std::string method = "auto";
     std::vector<std::string> own;
     std::string continuity = "auto";
@@ -140,6 +141,23 @@ Result<void> take_borders(const FillOptions& options, FillSettings& settings) {
             return result;
         }
     }
+    if (!options.supports.empty()) {
+        if (options.boundaries.empty()) {
+            return fail(ErrorCode::Usage, "--support is for edges of a --boundary");
+        }
+        if (auto result = take(parse_supports(options.supports), settings.request.supports);
+            !result) {
+            return result;
+        }
+        for (const auto& [edge, face] : settings.request.supports) {
+            if (std::ranges::none_of(settings.request.boundaries,
+                                     [edge = edge](const std::vector<int>& boundary) {
+                                         return std::ranges::count(boundary, edge) > 0;
+                                     })) {
+                return fail(ErrorCode::Usage, "--support: edge {} is no edge of the border", edge);
+            }
+        }
+    }
     if (settings.grow && !options.splits.empty()) {
         return fail(ErrorCode::Usage, "--split is for fills, and --grow makes none");
     }
@@ -186,14 +204,20 @@ Result<void> take_tension(const FillOptions& options, FillRequest& request) {
     if (!options.tension) {
         return {};
     }
-    if (!request.connect) {
-        return fail(ErrorCode::Usage, "--tension is for `suture bridge` and for --connect");
-    }
     if (request.method == "auto" && request.bridge) {
         request.method = "loft";
     }
-    if (request.method == "loft") {
+    const auto own = options_of(request.method);
+    const bool taken = std::ranges::any_of(
+        own, [](const MethodOption& option) { return option.key == "tension"; });
+    if (taken) {
         request.options["tension"] = {OptionKind::Number, {*options.tension}, {}};
+    } else if (!request.connect) {
+        return fail(ErrorCode::Usage,
+                    "--tension is for bridges, for --connect and for the method loft: the method "
+                    "{} finds the length of its cross tangents itself; points (--through) and "
+                    "edges (--through-edges) say how far a face bulges",
+                    request.method);
     }
     return take_positive("--tension", options.tension, 1.0, request.tension);
 }
@@ -254,9 +278,11 @@ Result<void> validate_fill(Command& command, FillOptions& options) {
         command.more_inputs = {options.through};
     }
     if (!options.through_edges.empty()) {
-        if (auto edges = take(parse_edges(options.through_edges), settings.through_edges); !edges) {
+        if (auto edges = take(parse_edges_on_faces(options.through_edges), settings.through_edges);
+            !edges) {
             return edges;
         }
+        settings.load.content = io::Content::Curves;
     }
     for (const auto& result :
          {take_borders(options, settings), take_wishes(options, settings.request),
@@ -316,6 +342,13 @@ void add_holes(CLI::App& app, FillOptions& options) {
     name_group(app, "Which holes");
 }
 
+void add_support(CLI::App& app, FillOptions& options) {
+    add_list(app, "--support", options.supports,
+             "Edges of the border, and the face that the new one is tangent to there, for edges "
+             "without a face or instead of their own: 3=7")
+        ->option_text("E=F...");
+}
+
 void add_borders(CLI::App& app, FillOptions& options) {
     app.add_option("--boundary", options.boundaries,
                    "A new face over these edges (FreeCAD's EdgeN), in any order: rims of one or "
@@ -324,6 +357,7 @@ void add_borders(CLI::App& app, FillOptions& options) {
         ->option_text("E...");
     app.add_flag("--connect", options.settings.request.connect,
                  "Bridge gaps between the ends of a --boundary by curves");
+    add_support(app, options);
     add_list(app, "--replace-faces", options.replace_faces,
              "These faces (FreeCAD's FaceN) go, and what they leave is filled anew")
         ->option_text("F...");
@@ -370,12 +404,16 @@ void add_wishes(CLI::App& app, FillOptions& options) {
     add_list(app, "--edge-continuity", options.edge_continuity,
              "The same for single edges: 12=G2,13=G0")
         ->option_text("E=G2...");
-    app.add_option("--through", options.through,
-                   "Points that the new face has to pass: a text file with x, y, z on each line")
+    app.add_option(
+           "--through", options.through,
+           "Points that the new face has to pass: a text file with x, y, z on each line, or "
+           "x, y, z, nx, ny, nz with its normal there")
         ->option_text("POINTS.csv");
-    add_list(app, "--through-edges", options.through_edges,
-             "Edges of the model that the new face has to follow (FreeCAD's EdgeN)")
-        ->option_text("E...");
+    add_list(
+        app, "--through-edges", options.through_edges,
+        "Edges of the model that the new face has to follow (FreeCAD's EdgeN); 12=7: tangent to "
+        "face 7 there")
+        ->option_text("E|E=F...");
     app.add_option("--tension", options.tension,
                    "Bridges, and curves of --connect: how far they go on straight from both ends, "
                    "1 (default) as the gap is wide")
@@ -471,6 +509,7 @@ std::shared_ptr<Command> add_bridge(CLI::App& app) {
                  "The edges of both sides (FreeCAD's EdgeN), in any order")
             ->required()
             ->option_text("E...");
+        add_support(sub, options);
         name_group(sub, "What is bridged");
     };
     return add_filling(app, "bridge", kBridgeHelp, choice, take_bridge);

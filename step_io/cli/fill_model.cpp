@@ -2,6 +2,8 @@
 
 #include "cli/choose_holes.h"
 #include "cli/merge.h"
+#include "cli/placed_point.h"
+#include "cli/points_on_edges.h"
 #include "cli/prepare.h"
 #include "cli/remeasure.h"
 #include "cli/reread.h"
@@ -18,7 +20,6 @@
 #include <tbb/parallel_for.h>
 #include <tbb/task_group.h>
 
-#include <BRepAdaptor_Curve.hxx>
 #include <BRep_Tool.hxx>
 #include <TopExp.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
@@ -39,31 +40,6 @@ constexpr double kFound = 0.3;
 constexpr double kFilled = 0.7;
 constexpr double kWritten = 0.8;
 constexpr double kReread = 0.95;
-
-/// Points of edges at equal parameters, ends included: as many as bend a face along them.
-Result<std::vector<Eigen::Vector3d>> points_on_edges(const TopoDS_Shape& model,
-                                                     const std::vector<int>& edges) {
-    constexpr int kPoints = 24;
-    const occ::Numbering numbering(model);
-    std::vector<Eigen::Vector3d> points;
-    for (const int number : edges) {
-        if (number > numbering.edges.Extent()) {
-            return fail(ErrorCode::Usage, "there is no edge {}: the model has {} edges", number,
-                        numbering.edges.Extent());
-        }
-        const TopoDS_Edge edge = TopoDS::Edge(numbering.edges(number));
-        if (BRep_Tool::Degenerated(edge)) {
-            return fail(ErrorCode::Usage, "edge {} has no length: no face can follow it", number);
-        }
-        const BRepAdaptor_Curve curve(edge);
-        for (int k = 0; k <= kPoints; ++k) {
-            const double t = curve.FirstParameter() +
-                             (curve.LastParameter() - curve.FirstParameter()) * k / kPoints;
-            points.push_back(occ::from_occ(curve.Value(t)));
-        }
-    }
-    return points;
-}
 
 /// Loops of parts in which nothing is filled.
 void report_skipped(const PartLoops& part, const FillRequest& request,
@@ -205,8 +181,8 @@ class FillJob {
 
     /// Points are given in the model; the one part with the hole has coordinates of its own.
     Result<void> pass_through() {
-        Result<std::vector<Eigen::Vector3d>> points =
-            points_on_edges(model_.whole, settings_.through_edges);
+        Result<std::vector<ThroughPoint>> points = points_on_edges(
+            model_.whole, settings_.through_edges, settings_.request.tolerance.linear);
         if (!points) {
             return tl::unexpected(points.error());
         }
@@ -221,9 +197,8 @@ class FillJob {
         for (PartRequest& wanted : requests_) {
             const gp_Trsf to_part = parts_[wanted.part].placement.Inverted().Transformation();
             wanted.request.through.clear();
-            for (const Eigen::Vector3d& point : *points) {
-                wanted.request.through.push_back(
-                    occ::from_occ(occ::to_point(point).Transformed(to_part)));
+            for (const ThroughPoint& point : *points) {
+                wanted.request.through.push_back(placed(point, to_part));
             }
         }
         return {};

@@ -23,8 +23,9 @@ struct FillSettings {
     LoadOptions load;
     FillRequest request;
     HoleFilter filter;  ///< where the request names no hole
-    /// EdgeN of the model that the new face has to pass, besides request.through.
-    std::vector<int> through_edges;
+    /// EdgeN of the model that the new face has to pass, besides request.through; and, if not 0,
+    /// FaceN that it has to be tangent to there.
+    std::vector<std::pair<int, int>> through_edges;
     /// FaceN of the model: these go, and what they leave is filled; or the neighbours grow
     /// together.
     std::vector<int> replace_faces, remove_faces;

@@ -2,6 +2,7 @@
 
 #include "files/file_bytes.h"
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <sstream>
@@ -10,7 +11,8 @@
 namespace suture::cli {
 namespace {
 
-std::optional<Eigen::Vector3d> point_of(std::string line) {
+/// Of three numbers, or of six: the last three are the direction of the normal.
+std::optional<ThroughPoint> point_of(std::string line) {
     for (char& c : line) {
         if (c == ',' || c == ';' || c == '\t' || c == '\r') {
             c = ' ';
@@ -18,17 +20,28 @@ std::optional<Eigen::Vector3d> point_of(std::string line) {
     }
     std::istringstream words(line);
     words.imbue(std::locale::classic());
-    Eigen::Vector3d point;
-    std::string rest;
-    if (!(words >> point.x() >> point.y() >> point.z()) || words >> rest || !point.allFinite()) {
+    std::vector<double> numbers;
+    for (double number = 0.0; words >> number;) {
+        numbers.push_back(number);
+    }
+    const bool whole = words.eof() && (numbers.size() == 3 || numbers.size() == 6);
+    if (!whole || !std::ranges::all_of(numbers, [](double x) { return std::isfinite(x); })) {
         return std::nullopt;
     }
-    return point;
+    ThroughPoint result{Eigen::Vector3d(numbers.data())};
+    if (numbers.size() == 6) {
+        const Eigen::Vector3d direction(numbers.data() + 3);
+        if (!(direction.norm() > 0.0)) {
+            return std::nullopt;
+        }
+        result.normal = direction.stableNormalized();
+    }
+    return result;
 }
 
 }  // namespace
 
-Result<std::vector<Eigen::Vector3d>> read_points(const std::filesystem::path& file) {
+Result<std::vector<ThroughPoint>> read_points(const std::filesystem::path& file) {
     constexpr std::size_t kMostBytes = 64 << 20;
     constexpr std::size_t kLongestLine = 1000;
     const Result<std::string> bytes = io::read_bytes(file, kMostBytes);
@@ -36,7 +49,7 @@ Result<std::vector<Eigen::Vector3d>> read_points(const std::filesystem::path& fi
         return fail(ErrorCode::Usage, "--through: {}", bytes.error().message);
     }
     std::istringstream stream(*bytes);
-    std::vector<Eigen::Vector3d> points;
+    std::vector<ThroughPoint> points;
     std::string line;
     bool titles = false;
     for (int number = 1; std::getline(stream, line); ++number) {
@@ -54,7 +67,9 @@ Result<std::vector<Eigen::Vector3d>> read_points(const std::filesystem::path& fi
         } else if (points.empty() && !titles) {
             titles = true;
         } else {
-            return fail(ErrorCode::Usage, "--through: line {} of {} is no point x, y, z: {}",
+            return fail(ErrorCode::Usage,
+                        "--through: line {} of {} is no point x, y, z, nor one with a normal x, y, "
+                        "z, nx, ny, nz: {}",
                         number, file.string(), line);
         }
     }

@@ -19,7 +19,8 @@ namespace suture::cli {
 namespace {
 
 /// Every boundary's edges into one part.
-Result<void> unite_parts(LoadedModel& model, const std::vector<std::vector<int>>& boundaries) {
+Result<void> unite_parts(LoadedModel& model, const std::vector<std::vector<int>>& boundaries,
+                         const std::map<int, int>& supports) {
     const occ::Numbering whole(model.whole);
     TopTools_IndexedMapOfShape chosen;
     for (const std::vector<int>& boundary : boundaries) {
@@ -29,6 +30,15 @@ Result<void> unite_parts(LoadedModel& model, const std::vector<std::vector<int>>
                             whole.edges.Extent());
             }
             chosen.Add(whole.edges(edge));
+        }
+    }
+    for (const auto& [edge, face] : supports) {
+        if (face > whole.faces.Extent()) {
+            return fail(ErrorCode::Usage, "there is no face {}: the model has {} faces", face,
+                        whole.faces.Extent());
+        }
+        for (const TopoDS_Edge& side : occ::edges_of(whole.faces(face))) {
+            chosen.Add(side);  // a support has to be in the same part
         }
     }
     return occ::guarded("uniting parts", [&] { model.file.unite(chosen); });
@@ -194,7 +204,7 @@ Result<void> prepare_model(Run& run, LoadedModel& model, const FillSettings& set
                            FillRequest& request) {
     request.boundaries = settings.request.boundaries;
     if (!request.boundaries.empty()) {
-        if (auto united = unite_parts(model, request.boundaries); !united) {
+        if (auto united = unite_parts(model, request.boundaries, request.supports); !united) {
             return united;
         }
     }

@@ -1,6 +1,7 @@
 #include "cli/remeasure.h"
 
 #include "cli/find_again.h"
+#include "cli/placed_point.h"
 #include "suture/base/contract.h"
 #include "suture/check/fill_measures.h"
 #include "suture/occ/convert.h"
@@ -37,11 +38,13 @@ class HoleFinder {
             // Another part of the model may have an edge in the same place.
             const int number = edges_.find(edge, borders);
             place.sides.push_back(number > 0 ? number : edges_.find(edge));
+            place.supports.push_back(
+                side.support.IsNull() ? side.support
+                                      : TopoDS::Face(side.support.Moved(part.before->placement)));
         }
         // The points are given in the part's own coordinates.
-        for (const Eigen::Vector3d& point : hole.through) {
-            place.through.push_back(occ::from_occ(
-                occ::to_point(point).Transformed(part.before->placement.Transformation())));
+        for (const ThroughPoint& point : hole.through) {
+            place.through.push_back(placed(point, part.before->placement.Transformation()));
         }
         return place;
     }

@@ -229,6 +229,8 @@ Json json_of(const HoleReport& hole, int sides) {
     json["points_through"] = hole.through.size();
     json["max_distance_through"] =
         hole.through.empty() ? Json() : measured(hole.max_distance_through);
+    json["max_angle_through_deg"] =
+        any_normal(hole.through) ? measured(degrees(hole.max_angle_through)) : Json();
     json["patches"] = array_of(hole.patches);
     json["edges"] = array_of(hole.sides);
     if (hole.recognised) {

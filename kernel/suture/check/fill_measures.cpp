@@ -1,6 +1,7 @@
 #include "suture/check/fill_measures.h"
 
 #include "suture/check/measure_free_edge.h"
+#include "suture/check/measure_support.h"
 #include "suture/check/point_distance.h"
 #include "suture/occ/guard.h"
 
@@ -51,6 +52,36 @@ std::vector<EdgeFacts> facts_of(const std::vector<int>& numbers, const std::set<
     return result;
 }
 
+/// The figures of a side, with angle and curvature against its support instead of its neighbour.
+EdgeContinuity against_support(EdgeContinuity side, const TopoDS_Face& support,
+                               const FillPlace& place, const occ::Numbering& numbering) {
+    if (side.edge == 0) {
+        return side;
+    }
+    const auto uses = find_edge_uses(numbering, {side.edge});
+    for (const EdgeInFace& use : uses[static_cast<std::size_t>(side.edge - 1)]) {
+        if (std::ranges::count(place.faces, use.face) == 0) {
+            continue;
+        }
+        auto figures = occ::guarded("measuring the edge against its support", [&] {
+            return measure_support(TopoDS::Edge(numbering.edges(side.edge)),
+                                   TopoDS::Face(numbering.faces(use.face)), use, support);
+        });
+        if (figures) {
+            figures->edge = side.edge;
+            figures->faces = side.faces;
+            figures->max_gap = side.max_gap;
+            figures->edge_gap = side.edge_gap;
+            figures->gap_at = side.gap_at;
+            figures->gap_along = side.gap_along;
+            return std::move(*figures);
+        }
+        side.samples = 0;
+        side.note = figures.error().message;
+    }
+    return side;
+}
+
 FillMeasures measures_of(const FillPlace& place, const std::set<int>& own,
                          const ContinuityReport& report, const occ::Numbering& numbering) {
     FillMeasures measures;
@@ -63,15 +94,20 @@ FillMeasures measures_of(const FillPlace& place, const std::set<int>& own,
         edge.edge = number;
         return edge;
     };
-    const auto measured_side = [&](int number) {
-        return std::binary_search(report.free_edges.begin(), report.free_edges.end(), number)
-                   ? measure_free_edge(number, numbering)
-                   : measured(number);
+    const auto measured_side = [&](std::size_t i) {
+        const int number = place.sides[i];
+        const bool free =
+            std::binary_search(report.free_edges.begin(), report.free_edges.end(), number);
+        EdgeContinuity side = free ? measure_free_edge(number, numbering) : measured(number);
+        return place.supports.empty() || place.supports[i].IsNull()
+                   ? side
+                   : against_support(std::move(side), place.supports[i], place, numbering);
     };
     std::set<int> all = own;
     std::set<int> inner = own;
-    for (const int side : place.sides) {
-        measures.sides.push_back(measured_side(side));
+    for (std::size_t i = 0; i < place.sides.size(); ++i) {
+        const int side = place.sides[i];
+        measures.sides.push_back(measured_side(i));
         inner.erase(side);
         if (side > 0) {
             all.insert(side);
@@ -143,11 +179,15 @@ Result<void> measure_faces(const FillPlace& place, const occ::Numbering& numberi
         }
         measures.area = *area;
     }
-    for (const Eigen::Vector3d& point : place.through) {
-        const double distance = measure_distance(point, faces);
-        if (distance > measures.through) {
-            measures.through = distance;
-            measures.through_at = point;
+    for (const ThroughPoint& wanted : place.through) {
+        const PointMiss miss = measure_miss(wanted, faces);
+        if (miss.distance > measures.through) {
+            measures.through = miss.distance;
+            measures.through_at = wanted.point;
+        }
+        if (miss.angle > measures.through_angle) {
+            measures.through_angle = miss.angle;
+            measures.through_angle_at = wanted.point;
         }
     }
     return {};

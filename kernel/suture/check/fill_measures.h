@@ -2,6 +2,7 @@
 
 #include "suture/base/progress.h"
 #include "suture/base/result.h"
+#include "suture/base/through_point.h"
 #include "suture/base/tolerance.h"
 #include "suture/check/area_ratio.h"
 #include "suture/check/clashes.h"
@@ -12,6 +13,7 @@
 
 #include <Eigen/Core>
 
+#include <TopoDS_Face.hxx>
 #include <TopoDS_Shape.hxx>
 
 #include <vector>
@@ -22,7 +24,10 @@ namespace suture {
 struct FillPlace {
     std::vector<int> sides;  ///< EdgeN of each side of the hole, in their order; 0: not found
     std::vector<int> faces;  ///< FaceN of the new faces; 0: not found
-    std::vector<Eigen::Vector3d> through;  ///< points that the new faces were to pass
+    /// The face, in the shape's coordinates, against which angle and curvature of a side count;
+    /// null: the neighbour. As `sides`, or empty.
+    std::vector<TopoDS_Face> supports;
+    std::vector<ThroughPoint> through;  ///< points that the new faces were to pass
 };
 
 /// An edge of a new face, and what it is good for in the shape.
@@ -47,6 +52,8 @@ struct FillMeasures {
     int lost_faces = 0;                    ///< new faces that were not found
     double through = 0.0;                  ///< largest distance of a point that was to be passed
     Eigen::Vector3d through_at = Eigen::Vector3d::Zero();
+    double through_angle = 0.0;  ///< largest angle between a normal wanted there and the face's
+    Eigen::Vector3d through_angle_at = Eigen::Vector3d::Zero();
 };
 
 /// Measures fills in a shape that holds them, all in one run of the continuity check: everything

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <Eigen/Core>
+#include "suture/base/through_point.h"
 
 #include <TopoDS_Face.hxx>
 
@@ -8,8 +8,13 @@
 
 namespace suture {
 
-/// The distance of a point from the nearest of some faces.
-[[nodiscard]] double measure_distance(const Eigen::Vector3d& point,
-                                      std::span<const TopoDS_Face> faces);
+/// How far faces are from what a point wants of them.
+struct PointMiss {
+    double distance = 0.0;  ///< of the point from the nearest of the faces, model units
+    double angle = 0.0;     ///< between that one's normal there and the wanted one, at most pi/2
+};
+
+[[nodiscard]] PointMiss measure_miss(const ThroughPoint& wanted,
+                                     std::span<const TopoDS_Face> faces);
 
 }  // namespace suture

@@ -44,7 +44,8 @@ AskedFill asked_of(const std::vector<BoundaryLoop>& loops, const Hole& hole,
         for (std::size_t i = 0; i < n; ++i) {
             AskedSide side;
             side.edge = ribbons[i].edge;
-            side.alone = is_free(ribbons[i]);
+            side.alone = loops[l].edges[i].face.IsNull();
+            side.supported = !loops[l].edges[i].support.IsNull();
             side.continuity = ribbons[i].continuity;
             side.tolerance = BRep_Tool::Tolerance(loops[l].edges[i].edge);
             add_corner(ribbons[(i + n - 1) % n], ribbons[i], side);

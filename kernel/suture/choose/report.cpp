@@ -44,6 +44,7 @@ void set_figures(const FillMeasures& measures, HoleReport& report) {
         report.max_gap = report.max_angle = report.max_curvature_mismatch = kUnknown;
     }
     report.max_distance_through = measures.through;
+    report.max_angle_through = measures.through_angle;
     report.continuity_reached = reached_by(report.asked, measures);
     report.verdict = judge_fill(report.asked, measures);
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "suture/base/through_point.h"
 #include "suture/judge/judge_fill.h"
 #include "suture/model/continuity.h"
 #include "suture/model/recognised.h"
@@ -7,6 +8,7 @@
 #include <Eigen/Core>
 
 #include <TopoDS_Edge.hxx>
+#include <TopoDS_Face.hxx>
 
 #include <optional>
 #include <string>
@@ -34,6 +36,7 @@ struct PatchFacts {
 struct SideReport {
     int edge = 0;         ///< EdgeN in the input; 0: a curve that was made
     int face = 0;         ///< the neighbour, FaceN in the input; 0: there is none
+    TopoDS_Face support;  ///< what it was to be tangent to instead of a neighbour; or null
     TopoDS_Edge on_edge;  ///< the edge itself, in the part's own coordinates
     Continuity requested = Continuity::G1;
     std::string reason;  ///< why auto asked for just that
@@ -51,8 +54,9 @@ struct HoleReport {
     std::vector<PatchFacts> patches;
     std::vector<SideReport> sides;
     std::optional<Recognised> recognised;  ///< in the part's own coordinates
-    std::vector<Eigen::Vector3d> through;  ///< points that were to be passed
+    std::vector<ThroughPoint> through;     ///< points that were to be passed
     double max_distance_through = 0.0;     ///< of these points from the new face
+    double max_angle_through = 0.0;        ///< between the normals wanted there and the face's own
     std::vector<std::string> notes;
     double seconds = 0.0;
     std::string reason;  ///< why this method, or why refused or skipped

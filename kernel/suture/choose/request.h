@@ -1,6 +1,7 @@
 #pragma once
 
 #include "suture/base/progress.h"
+#include "suture/base/through_point.h"
 #include "suture/base/tolerance.h"
 #include "suture/candidates/model_candidates.h"
 #include "suture/fill/fill.h"
@@ -32,9 +33,10 @@ struct FillRequest {
     /// EdgeN: each entry bounds one new face, with or without neighbours; instead of holes and
     /// edges
     std::vector<std::vector<int>> boundaries;
-    int first_new_id = 1;  ///< ids of what is filled and is no loop of the shape
-    bool bridge = false;   ///< each boundary has to be two chains or two closed rims
-    bool connect = false;  ///< bridge gaps in them by curves
+    int first_new_id = 1;         ///< ids of what is filled and is no loop of the shape
+    bool bridge = false;          ///< each boundary has to be two chains or two closed rims
+    bool connect = false;         ///< bridge gaps in them by curves
+    std::map<int, int> supports;  ///< EdgeN -> FaceN to be tangent to there
     double tension = 1.0;  ///< how far these go on straight from both ends, 1: as the gap is wide
     double reach = 0.0;    ///< gaps in them up to this close by themselves
     /// Holes are cut in two, one face for each part: along a line between two corners, which lie
@@ -46,7 +48,7 @@ struct FillRequest {
     OptionValues options;                       ///< the method's own
     std::optional<Continuity> continuity;       ///< none: auto
     std::map<int, Continuity> edge_continuity;  ///< EdgeN -> continuity
-    std::vector<Eigen::Vector3d> through;       ///< points that the one new face has to pass
+    std::vector<ThroughPoint> through;          ///< what the one new face has to pass
     Effort effort = Effort::Normal;             ///< of `auto`
     PlateSetting plate_setting = PlateSetting::Default;
     Tolerance tolerance;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <set>
+#include <utility>
 
 namespace suture {
 namespace {
@@ -91,9 +92,9 @@ Result<Selection> select_holes(const std::vector<BoundaryLoop>& loops, const Fil
             hole.push_back(*find_id(loops, id));
             taken.insert(id);
         }
-        std::stable_sort(
-            hole.begin(), hole.end(),
-            [](const BoundaryLoop& a, const BoundaryLoop& b) { return a.length > b.length; });
+        // Loops of one length by their ids, however they were named.
+        std::ranges::sort(
+            hole, {}, [](const BoundaryLoop& loop) { return std::pair(-loop.length, loop.id); });
     }
     for (const BoundaryLoop& loop : loops) {
         if (!taken.contains(loop.id)) {

@@ -73,7 +73,7 @@ CopiedHole copy_of(const Site& site) {
     return result;
 }
 
-Result<Trial> measure(const CopiedHole& copied, const std::vector<Eigen::Vector3d>& through,
+Result<Trial> measure(const CopiedHole& copied, const std::vector<ThroughPoint>& through,
                       const std::vector<TopoDS_Face>& faces, const Tolerance& tolerance,
                       const Progress& progress) {
     const BRep_Builder builder;
@@ -87,6 +87,7 @@ Result<Trial> measure(const CopiedHole& copied, const std::vector<Eigen::Vector3
     for (const BoundaryLoop& loop : copied.loops) {
         for (const BoundaryEdge& edge : loop.edges) {
             trial.place.sides.push_back(numbering.of(edge.edge));
+            trial.place.supports.push_back(edge.support);
         }
     }
     for (const TopoDS_Face& face : faces) {

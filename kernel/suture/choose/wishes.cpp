@@ -267,6 +267,9 @@ std::optional<Wish> asked(const Ribbon& ribbon, const FillRequest& request) {
     if (request.continuity) {
         return Wish{*request.continuity, "as asked"};
     }
+    if (request.supports.contains(ribbon.edge)) {
+        return Wish{Continuity::G1, fmt::format("tangent to face {}, its support", ribbon.face)};
+    }
     return std::nullopt;
 }
 

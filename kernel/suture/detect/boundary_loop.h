@@ -20,6 +20,9 @@ struct BoundaryEdge {
     TopoDS_Face face;     ///< oriented as in its shell; null: a curve that no face uses
     int edge_number = 0;  ///< EdgeN of the model, 1-based; 0: a curve that was made
     int face_number = 0;  ///< FaceN of the model, 1-based
+    /// What the new face is to be tangent to instead of `face`; null: nothing else.
+    TopoDS_Face support;
+    int support_number = 0;  ///< FaceN
 };
 
 /// What a boundary loop is.

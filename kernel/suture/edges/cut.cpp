@@ -12,6 +12,7 @@
 #include <TopoDS.hxx>
 
 #include <algorithm>
+#include <array>
 
 namespace suture {
 namespace {
@@ -65,7 +66,73 @@ std::vector<std::vector<TopoDS_Face>> groups_of(std::vector<TopoDS_Face> faces) 
     return groups;
 }
 
-/// The edges of a group that one of the other faces uses, once.
+/// Completes a rim that ends at a hole that was there before: along the hole's own free edges.
+class RimCloser {
+  public:
+    explicit RimCloser(const TopTools_IndexedDataMapOfShapeListOfShape& users) {
+        for (int i = 1; i <= users.Extent(); ++i) {
+            const TopoDS_Edge& edge = TopoDS::Edge(users.FindKey(i));
+            if (users(i).Extent() == 1 && !BRep_Tool::Degenerated(edge)) {
+                for (const TopoDS_Vertex& end : ends_of(edge)) {
+                    if (!free_.Contains(end)) {
+                        free_.Add(end, TopTools_ListOfShape());
+                    }
+                    free_.ChangeFromKey(end).Append(edge);
+                }
+            }
+        }
+    }
+
+    void close(TopTools_IndexedMapOfShape& rim) const {
+        TopTools_IndexedMapOfShape open;  // ends at which the rim does not go on
+        for (int i = 1; i <= rim.Extent(); ++i) {
+            toggle(TopoDS::Edge(rim(i)), open);
+        }
+        while (!open.IsEmpty()) {
+            const TopoDS_Edge next = way_on(open(open.Extent()), rim);
+            if (next.IsNull()) {
+                return;
+            }
+            rim.Add(next);
+            toggle(next, open);
+        }
+    }
+
+  private:
+    static std::array<TopoDS_Vertex, 2> ends_of(const TopoDS_Edge& edge) {
+        return {TopExp::FirstVertex(edge), TopExp::LastVertex(edge)};
+    }
+
+    static void toggle(const TopoDS_Edge& edge, TopTools_IndexedMapOfShape& open) {
+        for (const TopoDS_Vertex& end : ends_of(edge)) {
+            if (!open.RemoveKey(end)) {
+                open.Add(end);
+            }
+        }
+    }
+
+    /// The free edge at a vertex that the rim does not have yet; null if there is not just one.
+    [[nodiscard]] TopoDS_Edge way_on(const TopoDS_Shape& vertex,
+                                     const TopTools_IndexedMapOfShape& rim) const {
+        TopoDS_Edge found;
+        if (!free_.Contains(vertex)) {
+            return found;
+        }
+        for (const TopoDS_Shape& edge : free_.FindFromKey(vertex)) {
+            if (!rim.Contains(edge)) {
+                if (!found.IsNull()) {
+                    return {};
+                }
+                found = TopoDS::Edge(edge);
+            }
+        }
+        return found;
+    }
+
+    TopTools_IndexedDataMapOfShapeListOfShape free_;
+};
+
+/// The edges of a group that one of the other faces uses, once, and those of a hole beside it.
 std::vector<TopoDS_Edge> rim_of(const std::vector<TopoDS_Face>& group,
                                 const TopTools_IndexedDataMapOfShapeListOfShape& users) {
     TopTools_IndexedMapOfShape rim;
@@ -77,6 +144,7 @@ std::vector<TopoDS_Edge> rim_of(const std::vector<TopoDS_Face>& group,
             }
         }
     }
+    RimCloser(users).close(rim);
     std::vector<TopoDS_Edge> edges;
     for (int i = 1; i <= rim.Extent(); ++i) {
         edges.push_back(TopoDS::Edge(rim(i)));

@@ -13,7 +13,7 @@ namespace suture {
 struct CutShape {
     TopoDS_Shape shape;  ///< same structure; shells that lost a face are open
     /// The edges around each wound, a group of taken faces that hang together by edges: those that
-    /// one face that stayed still uses.
+    /// one face that stayed still uses; and where a hole was beside it, that one's as well.
     std::vector<std::vector<TopoDS_Edge>> wounds;
 };
 

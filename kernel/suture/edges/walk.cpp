@@ -49,6 +49,9 @@ BoundaryEdge turned(BoundaryEdge side) {
     if (!side.face.IsNull()) {
         side.face = TopoDS::Face(side.face.Reversed());
     }
+    if (!side.support.IsNull()) {
+        side.support = TopoDS::Face(side.support.Reversed());
+    }
     return side;
 }
 

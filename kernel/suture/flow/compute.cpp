@@ -56,6 +56,7 @@ void report_wishes(const std::vector<BoundaryLoop>& loops, const Hole& hole,
             side.edge = ribbon.edge;
             side.face = ribbon.face;
             side.on_edge = loops[l].edges[i].edge;
+            side.support = loops[l].edges[i].support;
             side.requested = wish.continuity;
             side.reason = wish.reason;
             report.continuity_requested = std::max(report.continuity_requested, wish.continuity);

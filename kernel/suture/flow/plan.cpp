@@ -72,7 +72,9 @@ void ask_to_follow_facets(const TopoDS_Shape& shape, HolePlan& plan) {
         return;
     }
     plan.guides = points.size();
-    plan.hole->through.insert(plan.hole->through.end(), points.begin(), points.end());
+    for (const Eigen::Vector3d& point : points) {
+        plan.hole->through.push_back({point});
+    }
     plan.wishes.assign(plan.wishes.size(),
                        Wish{Continuity::G0,
                             "auto: position only, the neighbours are facets; the face follows the "
@@ -114,9 +116,9 @@ Result<Selection> select_boundaries(const TopoDS_Shape& shape, const occ::Number
     std::set<int> taken;
     int id = std::max(static_cast<int>(loops.size()), request.first_new_id - 1);
     for (const std::vector<int>& edges : request.boundaries) {
-        auto chained =
-            chain_edges(shape, numbering, loops,
-                        {edges, request.reach, request.connect, request.bridge, request.tension});
+        auto chained = chain_edges(shape, numbering, loops,
+                                   {edges, request.reach, request.connect, request.bridge,
+                                    request.supports, request.tension});
         if (!chained) {
             return tl::unexpected(chained.error());
         }

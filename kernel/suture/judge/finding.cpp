@@ -20,7 +20,7 @@ struct KindRow {
     Unit unit;
 };
 
-constexpr std::array<KindRow, 15> kKinds{{
+constexpr std::array<KindRow, 16> kKinds{{
     {"gap", "gap", Unit::Length},
     {"angle", "angle", Unit::Angle},
     {"curvature", "curvature mismatch", Unit::Share},
@@ -32,6 +32,7 @@ constexpr std::array<KindRow, 15> kKinds{{
     {"tolerance_grown", "the edge's tolerance grew to", Unit::Length},
     {"tangency_given_up", "tangency given up, angle", Unit::Angle},
     {"through", "distance of a point to be passed", Unit::Length},
+    {"through_angle", "angle to the normal wanted at a point,", Unit::Angle},
     {"open_edge", "an edge of the new face does not belong to two faces", Unit::None},
     {"not_measured", "could not be measured", Unit::None},
     {"not_valid", "the shape is not valid", Unit::None},

@@ -31,6 +31,7 @@ enum class FindingKind {
     ToleranceGrown,   ///< model units, of an edge; the limit is what the measured gap accounts for
     TangencyGivenUp,  ///< radians, along a side on which tangency was wanted first
     Through,          ///< model units, of a point that was to be passed
+    ThroughAngle,     ///< radians, from the normal that was wanted at such a point
     OpenEdge,         ///< 1: an edge that only one face uses, or more than two
     NotMeasured,      ///< 1: a face or a side was not found again, or could not be measured
     NotValid,         ///< 1: BRepCheck does not accept the shape

@@ -127,6 +127,10 @@ class Judge {
         Finding finding = make(FindingKind::Through, measures.through, asked_.tolerance.linear);
         finding.at = measures.through_at;
         add(std::move(finding), of(measures.through, asked_.tolerance.linear));
+        Finding turned =
+            make(FindingKind::ThroughAngle, measures.through_angle, asked_.tolerance.angular);
+        turned.at = measures.through_angle_at;
+        add(std::move(turned), of(measures.through_angle, asked_.tolerance.angular));
     }
 
     void topology(const FillMeasures& measures) {
@@ -356,12 +360,14 @@ Finding judge_problems(const std::vector<std::string>& after,
 
 Continuity reached_by(const AskedFill& asked, const FillMeasures& measures) {
     std::size_t ends = 0;  ///< sides where nothing but the new face is
+    bool any = false;      ///< whether there is something to be smooth with
     Continuity result = Continuity::G2;
     for (std::size_t i = 0; i < measures.sides.size(); ++i) {
         const EdgeContinuity& side = measures.sides[i];
-        if (asked.sides[i].alone && side.faces[1] == 0) {
-            ++ends;
-        } else {
+        const bool end = asked.sides[i].alone && side.faces[1] == 0;
+        ends += end ? 1 : 0;
+        if (!end || asked.sides[i].supported) {
+            any = true;
             result = std::min(result, reached(side, asked.tolerance));
         }
     }
@@ -369,8 +375,7 @@ Continuity reached_by(const AskedFill& asked, const FillMeasures& measures) {
         result = std::min(result, reached(edge, asked.tolerance));
     }
     const bool open = measures.open_edges.size() > ends;
-    const bool single = ends == measures.sides.size();  // there is nothing to be smooth with
-    return open || single || !measures.crowded_edges.empty() || measures.lost_faces > 0
+    return open || !any || !measures.crowded_edges.empty() || measures.lost_faces > 0
                ? Continuity::G0
                : result;
 }

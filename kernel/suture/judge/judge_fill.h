@@ -12,8 +12,9 @@ namespace suture {
 
 /// What was asked of a fill along one side, and what the surroundings leave possible there.
 struct AskedSide {
-    int edge = 0;        ///< EdgeN of the input
-    bool alone = false;  ///< a curve without a face: the new face may end there
+    int edge = 0;            ///< EdgeN of the input
+    bool alone = false;      ///< a curve without a face: the new face may end there
+    bool supported = false;  ///< a face was named that the new one is to be tangent to there
     Continuity continuity = Continuity::G1;
     bool given_up = false;  ///< tangency was wanted first, and no fill was found that has it
     bool wall = false;      ///< the neighbour stands on the opening like a wall

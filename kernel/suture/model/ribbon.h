@@ -1,5 +1,6 @@
 #pragma once
 
+#include "suture/base/through_point.h"
 #include "suture/model/continuity.h"
 #include "suture/model/surface.h"
 #include "suture/spline/curve.h"
@@ -67,7 +68,7 @@ struct Hole {
     std::vector<RibbonLoop> loops;
     double diameter = 0.0;   ///< diagonal of the bounding box of all loops, in model units
     double tolerance = 0.0;  ///< the largest tolerance of the model's own edges around the hole
-    std::vector<Eigen::Vector3d> through;  ///< points that the surface has to pass through
+    std::vector<ThroughPoint> through;  ///< points that the surface has to pass
 };
 
 /// Names a ribbon as a user knows it: "edge 12 (face 3)".

@@ -36,16 +36,19 @@ GeomAbs_Shape constraint(Continuity continuity) {
 }
 
 PlateRequest request_of(const BoundaryLoop& loop, const RibbonLoop& ribbons,
-                        const std::vector<Eigen::Vector3d>& through, PlateSetting setting) {
+                        const std::vector<ThroughPoint>& through, PlateSetting setting) {
     PlateRequest request;
     request.arguments = arguments_of(setting);
     for (std::size_t i = 0; i < loop.edges.size(); ++i) {
         const Ribbon& ribbon = ribbons.ribbons[i];
+        // OCCT is tangent to faces that have the edge.
+        const bool leans = !loop.edges[i].support.IsNull();
         request.sides.push_back({loop.edges[i].edge, loop.edges[i].face,
-                                 constraint(ribbon.continuity), name_of(ribbon)});
+                                 leans ? GeomAbs_C0 : constraint(ribbon.continuity),
+                                 name_of(ribbon)});
     }
-    for (const Eigen::Vector3d& point : through) {
-        request.through.push_back(occ::to_point(point));
+    for (const ThroughPoint& point : through) {
+        request.through.push_back(occ::to_point(point.point));
     }
     return request;
 }
@@ -91,6 +94,9 @@ Result<FillResult> fill_with_plate(const std::vector<BoundaryLoop>& loops, const
                     "OCCT's filling takes one loop, and this hole has {}: it would close the wrong "
                     "one",
                     loops.size());
+    }
+    if (any_normal(hole.through)) {
+        return fail(ErrorCode::Refused, "OCCT's filling takes points, but no normals at them");
     }
     static const std::string program = program_on_demand("suture_occt_filling");
     const auto bytes = occ::run_isolated(

@@ -10,6 +10,7 @@
 
 #include <BRep_Tool.hxx>
 #include <Geom2d_Curve.hxx>
+#include <GeomProjLib.hxx>
 #include <Geom_Curve.hxx>
 #include <Geom_Surface.hxx>
 #include <gp_Trsf.hxx>
@@ -155,16 +156,25 @@ Result<Side> side_of(const BoundaryEdge& boundary) {
     }
     double pfirst = 0.0;
     double plast = 0.0;
-    // As the face uses the edge, since on a shared seam the two directions have two pcurves.
-    const TopoDS_Edge used = TopoDS::Edge(boundary.edge.Reversed());
-    side.pcurve = BRep_Tool::CurveOnSurface(used, boundary.face, pfirst, plast);
+    const bool leans = !boundary.support.IsNull();
+    const TopoDS_Face face = leans ? boundary.support : boundary.face;
+    const int face_number = leans ? boundary.support_number : boundary.face_number;
+    side.surface = BRep_Tool::Surface(face);
+    if (side.surface.IsNull()) {
+        return fail(ErrorCode::Refused, "face {} has no surface", face_number);
+    }
+    if (leans) {
+        pfirst = first;
+        plast = last;
+        side.pcurve = GeomProjLib::Curve2d(side.curve, first, last, side.surface);
+    } else {
+        // As the face uses the edge, since on a shared seam the two directions have two pcurves.
+        const TopoDS_Edge used = TopoDS::Edge(boundary.edge.Reversed());
+        side.pcurve = BRep_Tool::CurveOnSurface(used, face, pfirst, plast);
+    }
     if (side.pcurve.IsNull()) {
         return fail(ErrorCode::Refused, "edge {} has no curve on the surface of face {}",
-                    boundary.edge_number, boundary.face_number);
-    }
-    side.surface = BRep_Tool::Surface(boundary.face);
-    if (side.surface.IsNull()) {
-        return fail(ErrorCode::Refused, "face {} has no surface", boundary.face_number);
+                    boundary.edge_number, face_number);
     }
     const bool backwards = boundary.edge.Orientation() == TopAbs_REVERSED;
     side.t0 = backwards ? last : first;
@@ -173,7 +183,7 @@ Result<Side> side_of(const BoundaryEdge& boundary) {
     side.p1 = backwards ? pfirst : plast;
     // Also under a location that mirrors: there the loops go the other way round as X_u x X_v does,
     // and the hole stays on their left.
-    side.normal_sign = boundary.face.Orientation() == TopAbs_REVERSED ? -1.0 : 1.0;
+    side.normal_sign = face.Orientation() == TopAbs_REVERSED ? -1.0 : 1.0;
     return side;
 }
 
@@ -203,7 +213,7 @@ Result<Ribbon> ribbon_of(const BoundaryEdge& boundary) {
     ribbon.support = support_of(side);
     ribbon.curve = occ::spline_of(side->curve, side->t0, side->t1);
     ribbon.edge = boundary.edge_number;
-    ribbon.face = boundary.face_number;
+    ribbon.face = boundary.support.IsNull() ? boundary.face_number : boundary.support_number;
     ribbon.first = side->t0;
     ribbon.last = side->t1;
     return ribbon;
@@ -255,11 +265,15 @@ Vector3d area_vector(const RibbonLoop& loop) {
     return area;
 }
 
+bool is_free(const BoundaryEdge& edge) {
+    return edge.face.IsNull() && edge.support.IsNull();
+}
+
 /// The ribbons of a loop; those of curves without a face as yet without normals.
 Result<RibbonLoop> ribbons_of(const BoundaryLoop& loop) {
     RibbonLoop ribbons;
     for (const BoundaryEdge& edge : loop.edges) {
-        auto ribbon = edge.face.IsNull() ? free_ribbon(edge) : ribbon_of(edge);
+        auto ribbon = is_free(edge) ? free_ribbon(edge) : ribbon_of(edge);
         if (!ribbon) {
             return tl::unexpected(ribbon.error());
         }
@@ -271,7 +285,7 @@ Result<RibbonLoop> ribbons_of(const BoundaryLoop& loop) {
 void complete(const BoundaryLoop& loop, const Vector3d& opening, RibbonLoop& ribbons) {
     std::vector<bool> faceless;
     for (const BoundaryEdge& edge : loop.edges) {
-        faceless.push_back(edge.face.IsNull());
+        faceless.push_back(is_free(edge));
     }
     if (std::find(faceless.begin(), faceless.end(), true) != faceless.end()) {
         set_free_normals(faceless, opening, ribbons.ribbons);

@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace suture {
 namespace {
 
@@ -97,6 +99,134 @@ TEST(FillLoft, RefusesWhatIsNoBridge) {
         << bulged.error().message;
     const Plane plane{windows::tilted()};
     EXPECT_FALSE(fill_loft(windows::window_in(plane, {{0, 0}, {3, 2}, 4, false}), {}));
+}
+
+/// A closed rim of a round pipe along z: a circle that begins at an angle and has `sides` edges.
+RibbonLoop round_rim(double radius, double z, double begin, bool lower, int sides) {
+    RibbonLoop loop;
+    const double way = lower ? 1.0 : -1.0;  // the hole is above the lower pipe
+    for (int i = 0; i < sides; ++i) {
+        Ribbon ribbon;
+        ribbon.at = [=](double s) {
+            const double turn = way * 2.0 * kPi / sides;
+            const double angle = begin + turn * (i + s);
+            RibbonPoint p;
+            p.normal = Vector3d(std::cos(angle), std::sin(angle), 0.0);
+            p.point = radius * p.normal + Vector3d(0, 0, z);
+            p.tangent = radius * turn * Vector3d(-std::sin(angle), std::cos(angle), 0.0);
+            p.inward = p.normal.cross(p.tangent).normalized();
+            p.curvature.setZero();
+            return p;
+        };
+        ribbon.edge = ribbon.face = i + (lower ? 1 : 11);
+        loop.ribbons.push_back(ribbon);
+    }
+    return loop;
+}
+
+/// Every trim has to run on its side, and in the neighbour's tangent plane there.
+void expect_on_sides(const Hole& hole, const FillResult& fill, double gap) {
+    for (const Patch& patch : fill.patches) {
+        const auto& surface = std::get<SplineSurface>(patch.surface);
+        for (const EdgeUse& use : patch.wires.front()) {
+            for (const double s : {0.0, 0.1, 0.37, 0.5, 0.83, 1.0}) {
+                const Eigen::Vector2d uv = use.at(s);
+                const SurfaceJet jet = evaluate(surface, uv.x(), uv.y());
+                if (use.loop < 0) {
+                    continue;
+                }
+                const RibbonPoint wanted = hole.loops[static_cast<std::size_t>(use.loop)]
+                                               .ribbons[static_cast<std::size_t>(use.index)]
+                                               .at(s);
+                EXPECT_LT((jet.point - wanted.point).norm(), gap);
+                if (wanted.normal.norm() > 0.5) {
+                    EXPECT_LT((jet.u.cross(jet.v).normalized() - wanted.normal).norm(), 1e-5);
+                }
+            }
+        }
+    }
+}
+
+TEST(FillLoft, IsTheCylinderBetweenRimsThatBeginAnywhere) {
+    for (const double begin : {0.0, 1.0, 2.9, -2.0}) {
+        for (const int sides : {1, 2, 3}) {
+            Hole hole;
+            hole.loops = {round_rim(5, 0, 0.3, true, 1), round_rim(5, 8, begin, false, sides)};
+            hole.diameter = 16;
+            FillOptions options;
+            options.tolerance.linear = 1e-3;
+            const auto fill = fill_loft(hole, options);
+            ASSERT_TRUE(fill) << fill.error().message;
+            ASSERT_EQ(fill->patches.size(), 1U);
+            expect_on_sides(hole, *fill, 1e-5);
+            const Patch& patch = fill->patches.front();
+            const auto& surface = std::get<SplineSurface>(patch.surface);
+            std::vector<const EdgeUse*> seams;
+            for (const EdgeUse& use : patch.wires.front()) {
+                if (use.loop < 0) {
+                    seams.push_back(&use);
+                }
+            }
+            ASSERT_EQ(seams.size(), 2U);
+            for (const double s : {0.0, 0.3, 0.7, 1.0}) {
+                const Eigen::Vector2d a = seams[0]->at(s);
+                const Eigen::Vector2d b = seams[1]->at(s);
+                const Vector3d p = evaluate(surface, a.x(), a.y()).point;
+                EXPECT_LT((p - evaluate(surface, b.x(), b.y()).point).norm(), 1e-5);
+                EXPECT_NEAR(p.head<2>().norm(), 5.0, 1e-5);
+                EXPECT_NEAR(p.z(), 8.0 * s, 1e-5);
+            }
+        }
+    }
+}
+
+/// A square rim of a pipe along z, its sides planes.
+RibbonLoop square_rim(double half, double z, bool lower, int first) {
+    const std::vector<Vector3d> corners = {
+        {-half, -half, z}, {half, -half, z}, {half, half, z}, {-half, half, z}};
+    RibbonLoop loop;
+    for (int i = 0; i < 4; ++i) {
+        const int k = lower ? (first + i) % 4 : (first + 8 - i) % 4;
+        const Vector3d a = corners[static_cast<std::size_t>(k)];
+        const Vector3d b = corners[static_cast<std::size_t>((k + (lower ? 1 : 3)) % 4)];
+        Ribbon ribbon;
+        ribbon.at = [=](double s) {
+            const Vector3d middle = 0.5 * (a + b) - Vector3d(0, 0, z);
+            const Vector3d t = b - a;
+            const Vector3d normal = middle.normalized();
+            return RibbonPoint{a + s * t, t, normal, normal.cross(t).normalized(),
+                               Eigen::Matrix3d::Zero()};
+        };
+        ribbon.edge = ribbon.face = i + (lower ? 1 : 11);
+        loop.ribbons.push_back(ribbon);
+    }
+    return loop;
+}
+
+TEST(FillLoft, RunsFromCornerToCornerBetweenSquareRims) {
+    for (const int first : {0, 1, 2, 3}) {
+        Hole hole;
+        hole.loops = {square_rim(5, 0, true, 0), square_rim(5, 10, false, first)};
+        hole.diameter = 20;
+        const auto fill = fill_loft(hole, {});
+        ASSERT_TRUE(fill) << fill.error().message;
+        EXPECT_EQ(fill->patches.size(), 4U);
+        EXPECT_EQ(fill->inner_edges.size(), 4U);
+        expect_on_sides(hole, *fill, 1e-9);
+        for (const Patch& patch : fill->patches) {
+            const auto& surface = std::get<SplineSurface>(patch.surface);
+            const Vector3d p = evaluate(surface, 0.4, 0.6).point;
+            EXPECT_NEAR(p.head<2>().cwiseAbs().maxCoeff(), 5.0, 1e-9);
+        }
+    }
+}
+
+TEST(FillLoft, RefusesRimsWithDifferentNumbersOfCorners) {
+    Hole hole;
+    hole.loops = {square_rim(5, 0, true, 0), round_rim(5, 8, 0, false, 1)};
+    const auto fill = fill_loft(hole, {});
+    ASSERT_FALSE(fill);
+    EXPECT_NE(fill.error().message.find("4 and 0 corners"), std::string::npos);
 }
 
 }  // namespace

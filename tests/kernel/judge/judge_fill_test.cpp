@@ -41,6 +41,32 @@ TEST(JudgeFill, HasNothingToSayOfAFillWithoutFault) {
     EXPECT_EQ(reached_by(fill.asked, fill.measures), Continuity::G2);
 }
 
+TEST(JudgeFill, TellsTheNormalAtAPointThatIsMissed) {
+    Fill fill;
+    fill.measures.through_angle = 3.0 * fill.asked.tolerance.angular;
+    fill.measures.through_angle_at = {1.0, 2.0, 3.0};
+    const Finding finding = fill.only();
+    EXPECT_EQ(finding.kind, FindingKind::ThroughAngle);
+    EXPECT_EQ(finding.severity, Severity::Near);
+    EXPECT_EQ(finding.at, Eigen::Vector3d(1.0, 2.0, 3.0));
+    EXPECT_EQ(to_string(finding.kind), "through_angle");
+    EXPECT_EQ(unit_of(finding.kind), "deg");
+}
+
+TEST(JudgeFill, CountsASideOnASupportAsSmoothThoughTheFaceEndsThere) {
+    Fill fill;
+    for (std::size_t i = 0; i < 3; ++i) {
+        fill.asked.sides[i].alone = true;
+        fill.measures.sides[i].faces = {1, 0};
+        fill.measures.open_edges.push_back({20 + static_cast<int>(i), 1e-7, {}});
+    }
+    EXPECT_EQ(reached_by(fill.asked, fill.measures), Continuity::G0);
+    fill.asked.sides[1].supported = true;
+    fill.measures.sides[1].curvature_mismatch = 1.0;
+    EXPECT_EQ(reached_by(fill.asked, fill.measures), Continuity::G1);
+    EXPECT_TRUE(fill.judgement().within());
+}
+
 TEST(JudgeFill, GradesAMeasureByItsLimit) {
     const std::vector<std::pair<double, Severity>> grades = {{1.0, Severity::Good},
                                                              {1.01, Severity::Near},

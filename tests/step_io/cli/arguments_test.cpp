@@ -69,6 +69,25 @@ TEST(ParseEdgeContinuity, MapsEdgesToContinuities) {
     }
 }
 
+TEST(ParseSupports, MapsEdgesToFaces) {
+    const auto map = parse_supports("3=7,Edge4=Face7");
+    ASSERT_TRUE(map);
+    EXPECT_THAT(*map, ElementsAre(std::pair(3, 7), std::pair(4, 7)));
+    for (const char* text : {"3", "3=", "=7", "3=0", "Face3=7", "3=7,3=8"}) {
+        EXPECT_FALSE(parse_supports(text)) << text;
+    }
+}
+
+TEST(ParseEdgesOnFaces, TakesEdgesWithAndWithoutAFace) {
+    const auto list = parse_edges_on_faces("12,15-16,9=3");
+    ASSERT_TRUE(list);
+    EXPECT_THAT(*list,
+                ElementsAre(std::pair(12, 0), std::pair(15, 0), std::pair(16, 0), std::pair(9, 3)));
+    for (const char* text : {"9=", "9=x", "5-3", "1-2=3"}) {
+        EXPECT_FALSE(parse_edges_on_faces(text)) << text;
+    }
+}
+
 TEST(ExpectPositive, RefusesZeroNegativeAndNoNumbersNamingTheOption) {
     EXPECT_TRUE(expect_positive("--x", 1e-300));
     for (const double value : {0.0, -1.0, double(NAN), double(INFINITY), -double(INFINITY)}) {

@@ -3,9 +3,7 @@
 import math
 import unittest
 
-from program import CAD, DONE, NOTHING, OUT_OF_TOLERANCE, USAGE, Case, example, run
-
-CASES = CAD.parent / "cases" / "wound"
+from program import DONE, NOTHING, OUT_OF_TOLERANCE, USAGE, Case, example, run
 
 try:
     import wounds
@@ -27,6 +25,11 @@ class Boundary(Case):
         finished = run("fill", file, "-o", out, "--json", *words)
         self.assertIn(finished.code, (DONE, OUT_OF_TOLERANCE) if code is None else (code,), str(finished))
         return finished.json, Read(out)
+
+    @staticmethod
+    def of_length(file, length):
+        edges = Part.read(str(file)).Edges
+        return [n for n, e in enumerate(edges, 1) if abs(e.Length / length - 1) < 1e-6]
 
     def refused(self, file, *words):
         out = self.folder / "none.step"
@@ -121,6 +124,66 @@ class Boundary(Case):
         for wrong in (0, -1, "nan"):
             self.refused(file, "--boundary", "1,2,3", "--connect", "--tension", wrong)
 
+    def test_a_loose_curve_leans_on_a_face(self):
+        """A circle on a sphere: with the sphere as its support it bounds the cap, else a disc."""
+        zone = Part.makeSphere(6, V(), V(0, 0, 1), -30, math.degrees(math.asin(3 / 6))).Faces[0]
+        circle = Part.makeCircle(math.sqrt(36 - 16), V(0, 0, 4))
+        wave = Part.makeCircle(3, V(0, 0, 9))
+        for scale in (1.0, 1e-2):
+            file = self.saved([wounds.placed(s, scale) for s in (zone, circle, wave)])
+            (loose,) = self.of_length(file, 2 * math.pi * math.sqrt(20) * scale)
+            (far,) = self.of_length(file, 6 * math.pi * scale)
+            _, disc = self.filled(file, "--no-sew", "--boundary", loose)
+            document, cap = self.filled(file, "--no-sew", "--boundary", loose, "--support", f"{loose}=Face1")
+            self.assertEqual((disc.faces, cap.faces, cap.valid), (2, 2, True))
+            areas = [made.area / scale**2 - 72 * math.pi for made in (disc, cap)]
+            self.assertAlmostEqual(areas[0], 20 * math.pi, delta=1e-5)
+            self.assertAlmostEqual(areas[1], 24 * math.pi, delta=1e-5)
+            (hole,) = (h for h in document["holes"] if h["status"] == "filled")
+            self.assertEqual((hole["continuity_reached"][:1], hole["edges"][0]["face"]), ("G", 1))
+            self.assertLess(hole["max_angle_deg"], 0.01)
+        for words, said in (
+            ((loose, "--support", f"{loose}=9"), "there is no face 9"),
+            ((far, "--support", f"{far}=1"), "does not lie on face 1: it is"),
+            ((loose, "--support", f"{far}=1"), f"edge {far} is no edge of the border"),
+            ((loose, "--support", f"{loose}=1,{loose}=2"), f"edge {loose} is given two supports"),
+            ((loose, "--support", "x"), "names no support"),
+        ):
+            self.assertIn(said, self.refused(file, "--no-sew", "--boundary", *words))
+
+    def test_the_new_face_goes_on_where_its_support_ends(self):
+        """A circle at either end of a cylinder's wall, which stands across the opening: half balls."""
+        pipe = Part.makeCylinder(5, 20).Faces[0]
+        circles = [Part.makeCircle(5, V(0, 0, z)) for z in (0, 20, 10)]
+        file = self.saved([wounds.placed(s) for s in (pipe, *circles)])
+        turn = wounds.placed(Part.Vertex(0, 0, 0)).Placement.inverse()
+        for z, outwards in ((0, -1), (20, 1)):
+            number = max(wounds.edges_where(file, lambda p, z=z: abs((turn * p).z - z) < 1e-6))
+            words = ("--no-sew", "--boundary", number, "--support", f"{number}=1")
+            document, out = self.filled(file, *words)
+            self.assertAlmostEqual(out.area, 200 * math.pi + 50 * math.pi, delta=1e-3)
+            (dome,) = (f for f in out.shape.Faces if abs(f.Area - 50 * math.pi) < 1e-3)
+            self.assertAlmostEqual((turn * dome.CenterOfMass).z, z + outwards * 2.5, delta=1e-3)
+        (inside,) = wounds.edges_where(file, lambda p: abs((turn * p).z - 10) < 1e-6 and (turn * p).x < 0)
+        words = ("--no-sew", "--boundary", inside, "--support", f"{inside}=1")
+        self.assertIn("cannot be told", self.refused(file, *words))
+
+    def test_a_support_counts_instead_of_the_edge_s_own_face(self):
+        """A flat ring around a circle on a ball: tangent to the ring a disc, to the ball its cap."""
+        radius = math.sqrt(20)
+        outer, inner = (Part.Face(Part.Wire(Part.makeCircle(r, V(0, 0, 4)))) for r in (9, radius))
+        (ring,) = outer.cut(inner).Faces
+        zone = Part.makeSphere(6, V(), V(0, 0, 1), -30, math.degrees(math.asin(4 / 6))).Faces[0]
+        file = self.saved([wounds.placed(s) for s in (ring, zone)])
+        (ball,) = (n for n, f in enumerate(Part.read(str(file)).Faces, 1) if f.Area > 240)
+        rim = min(self.of_length(file, 2 * math.pi * radius))
+        for words, area in (((), 20 * math.pi), (("--support", f"{rim}={ball}"), 24 * math.pi)):
+            document, out = self.filled(file, "--no-sew", "--boundary", rim, *words)
+            self.assertEqual((out.faces, out.valid), (3, True))
+            self.assertAlmostEqual(out.area - ring.Area - zone.Area, area, delta=1e-5)
+            (hole,) = (h for h in document["holes"] if h["status"] == "filled")
+            self.assertLess(hole["max_angle_deg"], 0.01)
+
     def test_bodies_become_one(self):
         """Two cups, whose rims face each other, and the tube between them."""
         def cup(z, closed):
@@ -172,20 +235,6 @@ class Boundary(Case):
         self.assertIn("one of these", self.refused(file, "--boundary", "1,2", "--hole", "1"))
         box = wounds.save(Part.makeBox(1, 2, 3), self.folder / "box.step")
         self.assertIn("between the faces", self.refused(box, "--boundary", "1,2,3,4"))
-
-    def given(self, name):
-        file = CASES / name
-        if not file.exists():
-            self.skipTest(f"needs {file}")
-        return file
-
-    def test_given_sheets_and_curves(self):
-        _, curves = self.filled(self.given("loose_curves.step"), "--boundary", "1,2,3")
-        self.assertEqual((curves.faces, curves.valid), (1, True))
-        _, sheets = self.filled(
-            self.given("four_sheets.step"), "--boundary", "13,8,1,9", code=None
-        )
-        self.assertEqual((sheets.faces, sheets.shells, sheets.solids), (5, 1, 0))
 
 
 if __name__ == "__main__":

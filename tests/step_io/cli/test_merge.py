@@ -55,6 +55,38 @@ class Merge(Case):
         self.assertEqual((made.faces, len(made.shape.Edges), made.valid), (1, 4, True))
         self.assertAlmostEqual(made.area, 100 * math.pi, delta=1e-6)
 
+    def test_a_window_in_a_face_with_a_seam_leaves_no_trace(self):
+        """Beside the seam, across it, and two of them; of a cylinder, a ball and a ring."""
+        def box(*sides):
+            return Part.makeBox(*sides[:3], V(*sides[3:]))
+
+        cylinder = Part.makeCylinder(5, 20)
+        models = {
+            "beside": (cylinder, [box(6, 9, 4, -3, 0, 8)], 2),
+            "across": (cylinder, [box(9, 6, 4, 0, -3, 8)], 2),
+            "round across": (cylinder, [Part.makeCylinder(2, 9, V(0, 0, 10), V(1, 0, 0))], 2),
+            "two across": (cylinder, [box(9, 6, 4, 0, -3, 3), box(9, 6, 4, 0, -3, 12)], 2),
+            "one of each": (cylinder, [box(9, 6, 4, 0, -3, 3), box(6, 9, 4, -3, 0, 12)], 2),
+            "cone": (Part.makeCone(6, 3, 20), [box(9, 4, 4, 0, -2, 8)], 2),
+            "ball": (Part.makeSphere(6), [box(4, 9, 4, -2, 0, 0)], 0),
+            "ring": (Part.makeTorus(10, 3), [box(4, 9, 2, -2, 8, 1.5)], 0),
+        }
+        for name, (solid, tools, flat) in models.items():
+            with self.subTest(name):
+                planes = [f for f in solid.Faces if "Plane" in f.Surface.TypeId]
+                (wall,) = (f for f in solid.Faces if "Plane" not in f.Surface.TypeId)
+                self.assertEqual(len(planes), flat)
+                for tool in tools:
+                    wall = wall.cut(tool)
+                shell = Part.makeShell([*planes, *wall.Faces])
+                model = wounds.save(wounds.placed(shell), self.folder / "in.step")
+                for file in ("out.step", "out.brep"):
+                    document, made = self.filled(model, "--merge", name=file)
+                    self.assertEqual((made.faces, made.solids, made.valid), (len(solid.Faces), 1, True))
+                    self.assertEqual(len(made.shape.Edges), len(solid.Edges))
+                    self.assertAlmostEqual(made.volume / solid.Volume, 1.0, delta=1e-9)
+                    self.assertIn(f"{len(tools)} face", document["changes"][-1])
+
     def test_only_new_faces_are_merged(self):
         """Two faces of a split wall stay two: nobody has asked for them."""
         wall = Part.makeShell(

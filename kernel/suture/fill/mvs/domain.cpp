@@ -128,8 +128,8 @@ void lay_on_surface(const Net& net, const Scale& scale, const Hole& hole, Domain
         domain.loops.push_back(lay_loop(net, scale, hole.loops[l]));
     }
     domain.through.clear();
-    for (const Eigen::Vector3d& p : hole.through) {
-        const Eigen::Vector3d point = (p - scale.centre) / scale.length;
+    for (const ThroughPoint& p : hole.through) {
+        const Eigen::Vector3d point = (p.point - scale.centre) / scale.length;
         domain.through.push_back(footpoint(net, point, nearest_of_grid(net, point)) * scale.length);
     }
 }

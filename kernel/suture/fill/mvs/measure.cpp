@@ -76,7 +76,10 @@ Miss miss(const Net& net, const BoundarySample& sample) {
     Miss result;
     result.gap = (poles * local_values(u, v) - sample.point).norm();
     if (sample.continuity >= Continuity::G1) {
-        result.angle = std::atan2(n.cross(sample.normal).norm(), n.dot(sample.normal));
+        const double along = n.dot(sample.normal);
+        const bool either_way = sample.loop < 0;
+        result.angle =
+            std::atan2(n.cross(sample.normal).norm(), either_way ? std::abs(along) : along);
     }
     if (sample.continuity >= Continuity::G2) {
         // The normal curvature across the edge, in the direction `inward`.

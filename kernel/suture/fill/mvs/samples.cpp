@@ -247,11 +247,16 @@ std::vector<BoundarySample> sample_boundary(const Hole& hole, const Domain& doma
         sample.length = kInnerShare;
         sample.uv = domain.through[k] / scale.length;
         sample.across.setZero();
-        sample.point = (hole.through[k] - scale.centre) / scale.length;
-        sample.normal.setZero();
+        sample.point = (hole.through[k].point - scale.centre) / scale.length;
+        sample.normal = hole.through[k].normal.value_or(Eigen::Vector3d::Zero());
         sample.inward.setZero();
         sample.curvature.setZero();
-        sample.continuity = Continuity::G0;
+        sample.continuity = hole.through[k].normal ? Continuity::G1 : Continuity::G0;
+        if (hole.through[k].normal) {  // tangent in both directions
+            sample.across = Eigen::Vector2d::UnitX();
+            samples.push_back(sample);
+            sample.across = Eigen::Vector2d::UnitY();
+        }
         samples.push_back(sample);
     }
     return samples;

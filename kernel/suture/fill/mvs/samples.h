@@ -18,7 +18,7 @@ struct Scale {
 
 /// What the surface has to do at one boundary point, in the solver's unit.
 struct BoundarySample {
-    int loop = 0;  ///< -1: an inner point
+    int loop = 0;  ///< -1: an inner point, twice if it has a normal
     int ribbon = 0;
     double s = 0.0;
     double length = 0.0;                           ///< of the boundary for which this sample stands

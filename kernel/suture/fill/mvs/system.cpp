@@ -229,7 +229,8 @@ Net System::start() const {
             const BoundarySample& s = samples_[k];
             const SampleBasis& b = sample_bases_[k];
             const double angle = s.continuity >= Continuity::G1 ? weights_.angle : 0.0;
-            const double across = s.continuity >= Continuity::G1 ? kStartAcross : 0.0;
+            const bool leads_in = s.continuity >= Continuity::G1 && s.loop >= 0;
+            const double across = leads_in ? kStartAcross : 0.0;
             const Eigen::Matrix3d block =
                 angle * s.normal * s.normal.transpose() + across * Eigen::Matrix3d::Identity();
             for (int q = 0; q < kLocal; ++q) {

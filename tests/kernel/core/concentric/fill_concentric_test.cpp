@@ -271,7 +271,7 @@ TEST(FillConcentric, RefusesIslandsPointsAndSteepNeighboursNamingThem) {
     EXPECT_NE(island.error().message.find("edge 77"), std::string::npos) << island.error().message;
 
     Hole through = opening(shapes::rectangle());
-    through.through.emplace_back(0, 0, 0);
+    through.through.push_back({});
     EXPECT_FALSE(fill_concentric(through, {}));
 
     Hole steep = opening(shapes::rectangle());

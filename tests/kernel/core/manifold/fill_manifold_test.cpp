@@ -228,7 +228,7 @@ TEST(FillManifold, SaysWhatItCannotFill) {
     islands.loops.push_back(islands.loops.front());
     EXPECT_NE(refusal(islands).find("2"), std::string::npos);
     islands.loops.pop_back();
-    islands.through.push_back(Vector3d::Zero());
+    islands.through.push_back({});
     EXPECT_NE(refusal(islands).find("inner points"), std::string::npos);
     islands.through.clear();
     OptionValue wide;

@@ -421,11 +421,11 @@ TEST(FillMvs, PassesThroughInnerPoints) {
     const zoo::Surface flat =
         zoo::graph([](const zoo::Jet& x, const zoo::Jet& y) { return 0.0 * x * y; });
     Hole hole = zoo::window(flat, zoo::regular({0, 0}, 1.0, 5), Continuity::G0);
-    hole.through = {{0.1, 0.05, 0.2}, {-0.3, 0.2, 0.12}};
+    hole.through = {{Vector3d(0.1, 0.05, 0.2)}, {Vector3d(-0.3, 0.2, 0.12)}};
     const Result<FillResult> result = fill_mvs(hole, {});
     ASSERT_TRUE(result) << result.error().message;
     const auto& surface = std::get<SplineSurface>(result->patches.front().surface);
-    for (const Vector3d& point : hole.through) {
+    for (const auto& [point, normal] : hole.through) {
         double least = 1.0;
         for (int i = 0; i <= 800; ++i) {
             for (int j = 0; j <= 800; ++j) {
@@ -442,6 +442,49 @@ TEST(FillMvs, PassesThroughInnerPoints) {
             }
         }
         EXPECT_LT(least, 2e-5);
+    }
+}
+
+/// The surface at its point nearest to another.
+SurfaceJet nearest(const SplineSurface& surface, const Vector3d& point) {
+    constexpr int kGrid = 40;
+    const Vector2d lower(surface.knots_u.front(), surface.knots_v.front());
+    const Vector2d size = Vector2d(surface.knots_u.back(), surface.knots_v.back()) - lower;
+    Vector2d uv = lower;
+    const auto distance = [&](const Vector2d& at) {
+        return (evaluate(surface, at.x(), at.y()).point - point).norm();
+    };
+    for (int i = 0; i <= kGrid; ++i) {
+        for (int j = 0; j <= kGrid; ++j) {
+            const Vector2d at = lower + Vector2d(i, j).cwiseProduct(size) / kGrid;
+            uv = distance(at) < distance(uv) ? at : uv;
+        }
+    }
+    for (int step = 0; step < 20; ++step) {
+        const SurfaceJet x = evaluate(surface, uv.x(), uv.y());
+        Eigen::Matrix<double, 3, 2> tangents;
+        tangents << x.u, x.v;
+        uv +=
+            (tangents.transpose() * tangents).inverse() * tangents.transpose() * (point - x.point);
+    }
+    return evaluate(surface, uv.x(), uv.y());
+}
+
+TEST(FillMvs, HasTheNormalsThatInnerPointsAsk) {
+    const zoo::Surface flat =
+        zoo::graph([](const zoo::Jet& x, const zoo::Jet& y) { return 0.0 * x * y; });
+    Hole hole = zoo::window(flat, zoo::regular({0, 0}, 1.0, 5), Continuity::G0);
+    for (const double way : {1.0, -1.0}) {  // a normal counts either way round
+        hole.through = {{Vector3d(0.1, 0.05, 0.1), way * Vector3d(0.2, 0.1, 1.0).normalized()},
+                        {Vector3d(-0.3, 0.2, 0.05), Vector3d::UnitZ()}};
+        const Result<FillResult> result = fill_mvs(hole, {});
+        ASSERT_TRUE(result) << result.error().message;
+        const auto& surface = std::get<SplineSurface>(result->patches.front().surface);
+        for (const auto& [point, normal] : hole.through) {
+            const SurfaceJet x = nearest(surface, point);
+            EXPECT_LT((x.point - point).norm(), 2e-5);
+            EXPECT_LT(x.u.cross(x.v).normalized().cross(*normal).norm(), radians(0.01));
+        }
     }
 }
 

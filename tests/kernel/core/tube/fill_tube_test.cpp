@@ -336,7 +336,7 @@ TEST(FillTube, RefusesWhatATubeCannotClose) {
     island.loops.push_back(corner.loops.front());
     EXPECT_FALSE(fill_tube(island, {}));
     Hole through = corner;
-    through.through.emplace_back(3.0, 3.0, 3.0);
+    through.through.push_back({Vector3d(3.0, 3.0, 3.0)});
     EXPECT_FALSE(fill_tube(through, {}));
 
     // A horseshoe is seen from no point inside.
