@@ -57,6 +57,27 @@ def rounded(radius, count):
     return box.makeFillet(radius, edges[:count])
 
 
+def leaning():
+    """A zone of a ball, and a circle on the ball above it."""
+    zone = Part.makeSphere(20, V(), V(0, 0, 1), -20, 20).Faces[0]
+    return Part.makeCompound([zone, Part.makeCircle(16, V(0, 0, 12))])
+
+
+def window_with_curve():
+    """A plate with a round window, and a curve over it."""
+    plate = Part.Face(Part.makePolygon([V(*p) for p in ((-30, -24, 0), (30, -24, 0), (30, 24, 0), (-30, 24, 0), (-30, -24, 0))]))
+    window = Part.makeCylinder(18, 2, V(0, 0, -1))
+    return Part.makeCompound([plate.cut(window), spline((-9, -3, 4), (0, 0, 7), (9, 3, 4))])
+
+
+def tin():
+    """A cylinder with a window across its seam."""
+    solid = Part.makeCylinder(10, 30)
+    (wall,) = (f for f in solid.Faces if "Cylinder" in f.Surface.TypeId)
+    flat = [f for f in solid.Faces if "Plane" in f.Surface.TypeId]
+    return Part.makeShell([*flat, *wall.cut(Part.makeBox(12, 10, 12, V(0, -5, 9))).Faces])
+
+
 def hull():
     """Both sides of a boat, ruled from the keel to the sheer."""
     sides = []
@@ -77,6 +98,10 @@ def main(folder):
     kind = lambda name: lambda f: type(f.Surface).__name__ == name
     write(folder, "corner", rounded(6, 3), "Faces", kind("Sphere"))
     write(folder, "fillet", rounded(6, 1), "Faces", kind("Cylinder"))
+    high = lambda z: lambda e: middle(e).z > z
+    write(folder, "leaning", leaning(), "Edges", high(11))
+    write(folder, "curve", window_with_curve(), "Edges", high(1))
+    write(folder, "tin", tin(), "Edges", lambda e: False)
     write(folder, "hull", hull(), "Edges", lambda e: False)
 
 
