@@ -56,7 +56,8 @@ def fill(obj, edges=(), faces=(), through=(), **options):
 
     through   [(object, ("Edge1", "Vertex2")), ...] that the new face passes through
     options   those of FillOptions: method, continuity, sides, points, gap, angle, curvature,
-              own, recognise, effort, one_face, all_loops
+              own, recognise, effort, one_face, all_loops; merge=True, split="auto" or "3,7", grow=True;
+              planar=True, larger=2, smaller=9, corners=4: only holes like that
     """
     base = places.base_of(obj)
     chosen = FillOptions(edges_for(base, edges, faces), **options)
@@ -68,7 +69,8 @@ def fill_border(chosen, through=(), **options):
     """A parametric object with one new face whose border chosen edges are, in any order.
 
     chosen    [(object, edge numbers), ...]; the edges may have a face, which the new one joins, or none
-    options   those of FillOptions, such as connect=True: bridge gaps between the edges by curves
+    options   those of FillOptions, such as connect=True: bridge gaps between the edges by curves, with
+              tension=1.5 for longer; supports={3: 7}: tangent to face 7 at edge 3
     """
     return _over_edges("Boundary", chosen, through, options)
 

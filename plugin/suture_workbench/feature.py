@@ -7,7 +7,7 @@ import json
 
 import FreeCAD as App
 
-from . import exchange, marks, naming, places, reports, tasks, waiting, words
+from . import exchange, extras, marks, naming, places, reports, tasks, waiting, words
 from .compat import Stateless, element_of, translate, without_traceback
 from .errors import ProgramMissing, SutureError
 from .options import EFFORTS, RECOGNISE, TASKS, FillOptions
@@ -92,6 +92,7 @@ class Request:
             one_face=obj.OneFace,
             all_loops=obj.AllLoops,
             keep_bad=obj.KeepBad,
+            **extras.read(obj, now, lambda face: now(face, "Face")),
         )
         points = places.points_through(obj.Through, base)
         return cls(base, options.with_points(points), shape, sources.objects[1:])
@@ -146,7 +147,15 @@ def set_options(obj, options, through=(), others=()):
     (_, edges), *more = sources.by_object(options.edges)
     faces = [f"Face{face}" for face in options.faces]
     obj.Base = (base, [f"Edge{edge}" for edge in edges] + faces)
-    obj.MoreEdges = [(other, [f"Edge{edge}" for edge in numbers]) for other, numbers in more]
+    leant = [sources.face_origin(face) for face in options.extras.get("supports", {}).values()]
+    obj.MoreEdges = [
+        (
+            other,
+            [f"Edge{edge}" for edge in numbers]
+            + [f"Face{face}" for source, face in leant if source is other],
+        )
+        for other, numbers in more
+    ]
     set_choice(obj, "Task", TASKS, options.task)
     obj.Connect = options.connect
     set_choice(obj, "Method", methods(), options.method)
@@ -159,8 +168,9 @@ def set_options(obj, options, through=(), others=()):
         setattr(obj, "Edges" + wanted, (base, edges) if edges else None)
     shape = sources.shape
     obj.EdgeMarks = [marks.written(shape, edge) for edge in options.named_edges()] + [
-        marks.written(shape, face, "Face") for face in options.faces
+        marks.written(shape, face, "Face") for face in options.named_faces()
     ]
+    extras.write(obj, options.extras)
     obj.KeepBad = options.keep_bad
     obj.OneFace, obj.AllLoops = options.one_face, options.all_loops
     obj.Gap, obj.Angle, obj.Curvature = options.gap, options.angle, options.curvature

@@ -4,7 +4,7 @@
 import copy
 import json
 
-from . import program, settings
+from . import extras, program, settings
 
 CONTINUITIES = ["auto", "G0", "G1", "G2"]
 RECOGNISE = ["model", "neighbours", "off"]
@@ -32,6 +32,7 @@ class FillOptions:
     effort       how much `auto` tries: one of EFFORTS
     own          {key: value}: the method's own options (program.options_of)
     keep_bad     put in what is bad (docs/judge.md) as well: the user has seen it
+    extras       {name: value} of those of extras.EXTRAS that were given and say something
     """
 
     def __init__(self, edges=(), method=None, continuity="auto", sides=None, points=(), **more):
@@ -52,6 +53,7 @@ class FillOptions:
         self.one_face = more.pop("one_face", False)
         self.all_loops = more.pop("all_loops", False)
         self.keep_bad = more.pop("keep_bad", False)
+        self.extras = extras.taken(more)
         if more:
             raise TypeError(f"no such option: {', '.join(more)}")
         if self.task not in TASKS:
@@ -70,7 +72,10 @@ class FillOptions:
         return other
 
     def named_edges(self):
-        return list(dict.fromkeys([*self.edges, *self.sides]))
+        return list(dict.fromkeys([*self.edges, *self.sides, *self.extras.get("supports", ())]))
+
+    def named_faces(self):
+        return list(dict.fromkeys([*self.faces, *self.extras.get("supports", {}).values()]))
 
     def arguments(self, number):
         """For the command line, without the choice of holes and the points."""
@@ -86,6 +91,7 @@ class FillOptions:
             words += ["--recognise", self.recognise]
         if self.effort != "normal":
             words += ["--effort", self.effort]
+        words += extras.arguments(self.extras, self.task, number)
         if self.all_loops:
             words.append("--all-loops")
         if self.keep_bad and program.judges():
@@ -97,6 +103,8 @@ class FillOptions:
         said = vars(self).copy()
         if self.effort == "normal":
             del said["effort"]  # documents of before it was there stay up to date
+        if not self.extras:
+            del said["extras"]  # documents of before there were any stay up to date
         return json.dumps(said, sort_keys=True)
 
 

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The properties of a filled shape. Documents name them: keep the names."""
 
+from . import extras
 from .compat import mark, translate
 from .options import CONTINUITIES, EFFORTS, RECOGNISE, TASKS
 from .program import methods
@@ -25,7 +26,7 @@ _PROPERTIES = [
         "MoreEdges",
         "App::PropertyLinkSubListGlobal",
         "Fill",
-        mark("Edges of other objects that belong to the border or the bridge"),
+        mark("Edges of other objects that belong to the border or the bridge, and faces to be tangent to"),
         0,
     ),
     (
@@ -216,6 +217,12 @@ def add_properties(obj):
                 set_choice(obj, name, EFFORTS, "normal")
             elif name in ("Gap", "Angle", "Curvature"):
                 setattr(obj, name, {"Gap": 0.001, "Angle": 0.01, "Curvature": 2.0}[name])
+        obj.setEditorMode(name, mode)
+    for (name, kind, group, tip, mode), value in extras.property_rows():
+        if not hasattr(obj, name):
+            obj.addProperty(kind, name, group, translate(tip))
+            if not isinstance(value, dict):
+                setattr(obj, name, value)
         obj.setEditorMode(name, mode)
 
 

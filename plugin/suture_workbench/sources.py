@@ -17,19 +17,30 @@ class Sources:
         for obj, shape in zip(self.objects[1:], shapes[1:]):
             shape.Placement = back.multiply(places.to_document(obj))
         # Not makeCompound: it ends the process where FreeCAD 1.0 is a module of plain Python.
-        self._edges_before = [
-            len(Part.Compound(shapes[:n]).Edges) if n else 0 for n in range(len(shapes))
-        ]
+        before = [Part.Compound(shapes[:n]) if n else Part.Shape() for n in range(len(shapes))]
+        self._edges_before = [len(shape.Edges) for shape in before]
+        self._faces_before = [len(shape.Faces) for shape in before]
         self.shape = shapes[0] if len(shapes) == 1 else Part.Compound(shapes)
 
     def number(self, obj, edge):
         """The number in the shape of an object's edge."""
         return self._edges_before[self.objects.index(obj)] + edge
 
+    def face_number(self, obj, face):
+        """The same of a face."""
+        return self._faces_before[self.objects.index(obj)] + face
+
     def origin(self, edge):
         """(object, its own number) of an edge of the shape."""
-        index = max(n for n, before in enumerate(self._edges_before) if before < edge)
-        return self.objects[index], edge - self._edges_before[index]
+        return self._origin(edge, self._edges_before)
+
+    def face_origin(self, face):
+        """The same of a face."""
+        return self._origin(face, self._faces_before)
+
+    def _origin(self, number, numbers_before):
+        index = max(n for n, before in enumerate(numbers_before) if before < number)
+        return self.objects[index], number - numbers_before[index]
 
     def by_object(self, edges):
         """[(object, its own numbers), ...], the base first, also if it has none of the edges."""

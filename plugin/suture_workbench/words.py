@@ -252,6 +252,7 @@ def finding_text(finding):
         "tolerance_grown": translate("tolerance of the edge grown to"),
         "tangency_given_up": translate("tangency given up, angle"),
         "through": translate("distance of a point to be passed"),
+        "through_angle": translate("angle to the normal wanted at a point,"),
     }.get(finding.kind)
     if name is not None:
         unit = "°" if finding.unit == "deg" else f" {finding.unit}".rstrip()
@@ -399,6 +400,20 @@ def surface_summary(document):
     if not well and shape["valid"]:
         lines.append(translate("The tolerances are not met."))
     return "\n".join(lines), well
+
+
+def extra_name(name):
+    """What one of extras.EXTRAS is called."""
+    return {
+        "merge": translate("Merge with equal neighbours"),
+        "grow": translate("Let the neighbours grow together"),
+        "split": translate("Cut in two"),
+        "tension": translate("Tension"),
+        "planar": translate("Planar holes only"),
+        "larger": translate("Larger than"),
+        "smaller": translate("Smaller than"),
+        "corners": translate("With so many sides"),
+    }[name]
 
 
 def option_name(key):

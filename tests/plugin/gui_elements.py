@@ -5,7 +5,7 @@ import FreeCADGui as Gui
 import Part
 from gui_common import CANCEL, OK
 from gui_look import WIDTH, cut_off
-from PySide import QtGui
+from PySide import QtCore, QtGui
 
 V = App.Vector
 
@@ -142,4 +142,66 @@ def faces(driver):
     replaced = document.getObject("Filled001")
     driver.said["replaced"] = [len(replaced.Shape.Faces), replaced.Shape.Volume, list(replaced.Base[1])]
     driver.said["drawn"] = driver.drawn()
+    App.closeDocument(document.Name)
+
+
+def extras(driver):
+    """Holes chosen by size in the panel and merged; a curve that leans on a clicked face."""
+    document = start(driver)
+    plate = sheet((0, 0, 0), (100, 0, 0), (100, 40, 0), (0, 40, 0))
+    for radius, x in ((2, 15), (6, 40)):
+        plate = plate.cut(Part.makeCylinder(radius, 2, V(x, 20, -1)))
+    add(document, "Plate", plate)
+    Gui.Selection.addSelection(document.getObject("Plate"))
+    driver.look(0.3, -1.0, 0.8)
+    yield from opened(driver, "Suture_Fill", "FillPanel")
+    yield driver.until("the preview", driver.settled)
+    driver.unfold("SutureMore")
+    yield driver.until("the fields", lambda: driver.there("SutureExtra_larger"))
+    driver.said["fields"] = driver.there("SutureExtra_tension")
+    driver.find("SutureExtra_larger", QtGui.QDoubleSpinBox).setValue(10.0)
+    tree = driver.find("SutureHoles", QtGui.QTreeWidget)
+    holes = tree.topLevelItem(0)
+    driver.said["ticked"] = [holes.child(i).checkState(0) == QtCore.Qt.Checked for i in range(holes.childCount())]
+    driver.find("SutureExtra_merge", QtGui.QCheckBox).setChecked(True)  # it is scrolled out of sight
+    yield driver.until("a new preview", lambda: driver.state() == "busy")
+    yield driver.until("its end", driver.settled)
+    yield from measure(driver, "FillPanel")
+    yield from accept(driver)
+    filled = document.getObject("Filled")
+    driver.said["filled"] = [len(filled.Shape.Faces), len(filled.Shape.Edges), filled.Merge, list(filled.Base[1])]
+    filled.ViewObject.Proxy.doubleClicked(filled.ViewObject)
+    yield driver.until("the panel", lambda: driver.there("FillPanel"))
+    yield driver.until("the preview", driver.settled)
+    holes = driver.find("SutureHoles", QtGui.QTreeWidget).topLevelItem(0)
+    driver.said["again"] = [holes.child(i).checkState(0) == QtCore.Qt.Checked for i in range(holes.childCount())]
+    driver.press(CANCEL)
+    yield driver.until("the panel to close", lambda: not driver.dialog_open())
+    App.closeDocument(document.Name)
+    document = App.newDocument("Ball")
+    document.UndoMode = 1
+    ball = add(document, "Ball", Part.makeSphere(6, V(), V(0, 0, 1), -30, 30).Faces[0])
+    circle = add(document, "Circle", Part.makeCircle(20**0.5, V(0, 0, 4)))
+    driver.look(0.3, -1.0, 0.8)
+    yield driver.pause(0.7)
+    Gui.Selection.clearSelection()
+    Gui.Selection.addSelection(circle, "Edge1")
+    yield from opened(driver, "Suture_FillEdges", "BorderPanel")
+    yield driver.until("the preview", driver.settled)
+    shown = driver.find("SutureElements", QtGui.QListWidget)
+    shown.item(0).setSelected(True)
+    driver.pick("Face1", ball.Shape.Faces[0].valueAt(-1.57, 0.0))
+    yield driver.until("the support", lambda: "tangent to" in listed(driver)[0])
+    yield driver.until("a new preview", lambda: driver.state() == "busy")
+    yield driver.until("its end", driver.settled)
+    driver.said["leaning"] = listed(driver)
+    yield from measure(driver, "BorderPanel")
+    yield from accept(driver)
+    made = document.getObject("Filled")
+    driver.said["area"] = made.Shape.Area - ball.Shape.Area
+    made.ViewObject.Proxy.doubleClicked(made.ViewObject)
+    yield driver.until("the panel", lambda: driver.there("BorderPanel"))
+    driver.said["leaning_again"] = listed(driver)
+    driver.press(CANCEL)
+    yield driver.until("the panel to close", lambda: not driver.dialog_open())
     App.closeDocument(document.Name)

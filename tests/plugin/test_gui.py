@@ -4,6 +4,7 @@ The scenarios are in gui_walk.py, gui_slow.py and gui_cases.py, their pictures g
 """
 
 import json
+import math
 import os
 import shutil
 import signal
@@ -319,6 +320,17 @@ class Elements(unittest.TestCase):
         self.assertAlmostEqual(said["replaced"][1], 6000, delta=6e-6)
         self.assertEqual(said["replaced"][2], ["Face2"])
         self.assertEqual((said["drawn"], any(said["cut_off"].values())), (0, False), said["cut_off"])
+
+
+    def test_holes_are_chosen_by_size_and_a_curve_leans_on_a_clicked_face(self):
+        said, _ = carry_out("gui_elements.extras")
+        self.assertEqual((said["fields"], said["ticked"]), (False, [False, True]))
+        self.assertEqual(said["filled"], [1, 5, True, []])
+        self.assertEqual(said["again"], [False, True])
+        self.assertEqual(said["leaning"], ["Edge1, tangent to Ball: Face1"])
+        self.assertEqual(said["leaning_again"], said["leaning"])
+        self.assertAlmostEqual(said["area"], 24 * math.pi, delta=1e-3)
+        self.assertFalse(any(said["cut_off"].values()), said["cut_off"])
 
 
 @unittest.skipUnless(shutil.which("xvfb-run"), "xvfb-run is not installed")

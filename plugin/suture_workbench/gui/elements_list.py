@@ -20,6 +20,7 @@ class ElementsList(QtWidgets.QWidget):
         self._kind = kind
         self._base, self._sources = items[0].obj, None
         self._drawings = {}
+        self._supports = {}  # (object, edge) -> (object, face)
         layout = QtWidgets.QVBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
         label = QtWidgets.QLabel(hint)
@@ -51,6 +52,31 @@ class ElementsList(QtWidgets.QWidget):
                 self._add(item.obj, number)
         self._list.itemClicked.connect(self._select)
         self._draw()
+
+    def lean(self, obj, face):
+        """The new face is to be tangent to a face at the edges of the rows that are selected; to no
+        face, if it is that one already."""
+        rows = self._list.selectedItems()
+        for row in rows:
+            edge = row.data(_ROLE)
+            if self._supports.get(edge) == (obj, face):
+                del self._supports[edge]
+            else:
+                self._supports[edge] = (obj, face)
+            self._name(row)
+        if rows:
+            self.ticked_changed.emit()
+        return bool(rows)
+
+    def supports(self):
+        """{(object, edge): (object, face)} of the edges that are chosen."""
+        chosen = self.chosen()
+        return {edge: face for edge, face in self._supports.items() if edge in chosen}
+
+    def set_supports(self, supports):
+        self._supports = dict(supports)
+        for index in range(self._list.count()):
+            self._name(self._list.item(index))
 
     def connect_box(self):
         return self._connect
@@ -98,12 +124,20 @@ class ElementsList(QtWidgets.QWidget):
         self._drawings = {}
 
     def _add(self, obj, number):
-        name = f"{self._kind}{number}"
-        row = QtWidgets.QListWidgetItem(
-            name if obj is self._base else _name(obj, self._kind, number)
-        )
+        row = QtWidgets.QListWidgetItem()
         row.setData(_ROLE, (obj, number))
+        self._name(row)
         self._list.addItem(row)
+
+    def _name(self, row):
+        text = self._name_of(self._kind, *row.data(_ROLE))
+        support = self._supports.get(row.data(_ROLE))
+        if support is not None:
+            text = translate("{}, tangent to {}").format(text, self._name_of("Face", *support))
+        row.setText(text)
+
+    def _name_of(self, kind, obj, number):
+        return f"{kind}{number}" if obj is self._base else _name(obj, kind, number)
 
     def _take_selected(self):
         for row in self._list.selectedItems():

@@ -35,17 +35,26 @@ class ElementsPanel(FillPanel):
         panel = cls(items, edited=obj)
         panel._show_instead(obj, sources.objects)
         panel._set(request.options, obj)
+        supports = request.options.extras.get("supports", {})
+        panel.tree.set_supports(
+            {sources.origin(edge): sources.face_origin(face) for edge, face in supports.items()}
+        )
         panel.tree.connect_box().setChecked(request.options.connect)
         return panel
 
     def watched(self):
-        objects = [obj for obj, _ in self.tree.chosen()]
+        objects = [obj for obj, _ in [*self.tree.chosen(), *self.tree.supports().values()]]
         return [*dict.fromkeys([*super().watched(), *objects])]
 
     def clicked_in_view(self, top, sub, point):
-        """An edge or a face clicked in the view is taken, or given back if it was taken before."""
+        """An edge or a face clicked in the view is taken, or given back if it was taken before; a face
+        where edges are wanted is what the new face leans on at the edges whose rows are selected."""
         fits = places.has_faces if self.kind == "Face" else places.has_shape
         leaf, _, element = places.resolve(top, sub)
+        kind, number = kind_and_number(element)
+        if self.kind == "Edge" and kind == "Face" and leaf is not self.edited:
+            self.tree.lean(leaf, number)
+            return
         if kind_and_number(element)[0] != self.kind or leaf is self.edited or not fits(leaf):
             return
         if self.kind == "Face" and leaf is not self.item.obj:
@@ -60,7 +69,8 @@ class ElementsPanel(FillPanel):
         self._choose_sides()
 
     def _sources(self):
-        return Sources([self.item.obj, *(obj for obj, _ in self.tree.chosen())])
+        named = [*self.tree.chosen(), *self.tree.supports().values()]
+        return Sources([self.item.obj, *(obj for obj, _ in named)])
 
     def _chosen(self):
         chosen = self.tree.chosen()
@@ -73,6 +83,10 @@ class ElementsPanel(FillPanel):
             "task": self.task,
             "edges": [sources.number(obj, number) for obj, number in chosen],
             "connect": self.task == "Boundary" and self.tree.connect_box().isChecked(),
+            "supports": {
+                sources.number(*edge): sources.face_number(*face)
+                for edge, face in self.tree.supports().items()
+            },
         }
 
     def request(self):
@@ -98,7 +112,10 @@ class ElementsPanel(FillPanel):
 
     def _hint(self):
         return {
-            "Boundary": translate("Click the edges around the new face, in any order."),
+            "Boundary": translate(
+                "Click the edges around the new face, in any order; with an edge's row selected, a face "
+                "to be tangent to there."
+            ),
             "Bridge": translate("Click the edges of both sides, in any order."),
             "Replace": translate("Click the faces that are to be made anew."),
             "Remove": translate("Click the faces that are to go."),

@@ -4,13 +4,14 @@
 import FreeCAD as App
 import FreeCADGui as Gui
 
-from .. import RESOURCES, api, feature, places, reports, settings, tasks, words
+from .. import RESOURCES, api, extras, feature, places, reports, settings, tasks, words
 from ..compat import QtCore, QtWidgets, translate
 from ..errors import SutureError
 from ..options import CONTINUITIES, EFFORTS, RECOGNISE, FillOptions
 from ..program import methods, title_of
 from . import failures
 from .choice import Choice
+from .extras_box import ExtrasBox
 from .holes_tree import HolesTree
 from .method_options import MethodOptions
 from .forms import put
@@ -38,6 +39,7 @@ class FillPanel(Panel):
         self.item, self.edited = item, edited
         self._ticked, self._all = ticked, ticked is None
         self._preferred = set(item.edges)  # of the edges of a hole, those that name it
+        self._filter = {}  # of the extras, those that choose holes
         self._shown = None  # (key, request, Filled) of the preview
         self._pending = None
         self._before = {}  # what was visible before an edit
@@ -86,6 +88,7 @@ class FillPanel(Panel):
         self.status = put(self.form, "statusPlace", Status(self._stop))
         self.through = put(self.form, "throughPlace", ThroughList(self.item.obj))
         self.own = put(self.form, "ownPlace", MethodOptions(self._show_heading_of_own))
+        self.extras = put(self.form, "extrasPlace", ExtrasBox(self.task))
         self._drawing = Preview(placement)
         self.surface = put(
             self.form, "surfacePlace", SurfaceBox([self.item.obj], self._drawing.shade)
@@ -130,6 +133,7 @@ class FillPanel(Panel):
         self.child("SuturePreview").setChecked(settings.preview())
         self.sides.setFixedHeight(120)
         self.tree.ticked_changed.connect(self._choose_sides)
+        self.extras.changed.connect(self._choose_by_extras)
         for signal in (
             self.method.changed,
             self.continuity.changed,
@@ -159,6 +163,8 @@ class FillPanel(Panel):
         self.method.choose(options.method)
         self.continuity.choose(options.continuity)
         self.own.set(options.own)
+        self.extras.set(options.extras)
+        self._filter = extras.choice(options.extras)
         self.recognise.choose(options.recognise)
         self.effort.choose(options.effort)
         self.gap.setValue(options.gap)
@@ -167,7 +173,7 @@ class FillPanel(Panel):
         self.child("SutureOneFace").setChecked(options.one_face)
         self.sides.wanted = dict(options.sides)
         self.through.set(obj.Through, [tuple(point) for point in obj.Points])
-        changed = options.one_face or options.own
+        changed = options.one_face or options.own or options.extras
         changed = changed or options.recognise != "model" or options.effort != "normal"
         if changed or obj.Through or obj.Points:
             self.child("SutureMore", QtWidgets.QToolButton).setChecked(True)
@@ -176,8 +182,9 @@ class FillPanel(Panel):
 
     def options(self):
         """FillOptions as the panel stands, without the points of references."""
+        chosen, given = self._chosen(), self.extras.values()
         return FillOptions(
-            **self._chosen(),
+            **chosen,
             method=self.method.key(),
             continuity=self.continuity.key(),
             sides=self.sides.asked(),
@@ -189,6 +196,7 @@ class FillPanel(Panel):
             angle=self.angle.value(),
             curvature=self.curvature.value(),
             keep_bad=True,  # to be seen; whether it stays is asked in the end
+            **(extras.without_choice(given) if chosen.get("edges") else given),
         )
 
     def _chosen(self):
@@ -196,13 +204,25 @@ class FillPanel(Panel):
         holes = self.tree.ticked()
         if not holes:
             raise SutureError(self._hint())
-        ordinary = {hole.id for hole in self.tree.holes() if hole.kind == reports.FILLABLE}
+        ordinary = {hole.id for hole in self.tree.holes() if self._is_chosen(hole)}
         every = self._all and {hole.id for hole in holes} == ordinary
         return {
             "edges": [] if every and not self._one_face() else self._one_edge_each(holes),
             "one_face": self._one_face(),
             "all_loops": any(hole.kind != reports.FILLABLE for hole in holes),
         }
+
+    def _choose_by_extras(self):
+        """Ticks the holes that they choose."""
+        given = self.extras.values()
+        if self._filter != extras.choice(given):
+            self._filter = extras.choice(given)
+            self._all = True
+            self.tree.tick(self._is_chosen)
+        self._changed()
+
+    def _is_chosen(self, hole):
+        return hole.kind == reports.FILLABLE and extras.fits(self._filter, hole, self.tree.holes())
 
     def _hint(self):
         """What to do where nothing is chosen."""
@@ -238,7 +258,7 @@ class FillPanel(Panel):
         if ticked is None and (self.item.edges or self.item.faces):
             ticked = self._touches_selection(found)
             self._all = False
-        self.tree.fill(found, ticked)
+        self.tree.fill(found, ticked if ticked or not self._filter else self._is_chosen)
         self._choose_sides()
 
     def _touches_selection(self, found):

@@ -70,6 +70,16 @@ class HolesTree(QtWidgets.QTreeWidget):
             self.resizeColumnToContents(column)
         self._draw([])
 
+    def tick(self, wanted):
+        """Ticks the holes that a predicate is true of, and no other."""
+        self.blockSignals(True)
+        for row in self.rows():
+            if row.data(0, QtCore.Qt.CheckStateRole) is not None:
+                on = wanted(row.data(0, _ROLE))
+                row.setCheckState(0, QtCore.Qt.Checked if on else QtCore.Qt.Unchecked)
+        self.blockSignals(False)
+        self.ticked_changed.emit()
+
     def rows(self):
         return [
             self.topLevelItem(g).child(i)

@@ -49,6 +49,51 @@
       <translation>Export abgebrochen: {} wurde nicht geschrieben.</translation>
     </message>
     <message>
+      <location filename="suture_workbench/extras.py" />
+      <source>Make new faces one with neighbours on the same surface</source>
+      <translation>Neue Flächen mit Nachbarn auf derselben Fläche zu einer vereinigen</translation>
+    </message>
+    <message>
+      <location filename="suture_workbench/extras.py" />
+      <source>Let the neighbours of the holes grow together, where they can, instead of a fill</source>
+      <translation>Die Nachbarn der Löcher zusammenwachsen lassen, wo sie das können, statt zu füllen</translation>
+    </message>
+    <message>
+      <location filename="suture_workbench/extras.py" />
+      <source>Cut a hole in two: auto, or pairs of vertices as 3,7 with blanks between them</source>
+      <translation>Ein Loch in zwei teilen: auto, oder Paare von Eckpunkten wie 3,7 mit Leerzeichen dazwischen</translation>
+    </message>
+    <message>
+      <location filename="suture_workbench/extras.py" />
+      <source>How far a bridge, and curves over gaps, go on straight: 1 as the gap is wide</source>
+      <translation>Wie weit eine Brücke und Kurven über Lücken geradeaus weiterlaufen: 1 wie die Lücke breit ist</translation>
+    </message>
+    <message>
+      <location filename="suture_workbench/extras.py" />
+      <source>Where no edge names a hole: only holes whose border lies in a plane</source>
+      <translation>Wo keine Kante ein Loch nennt: nur Löcher, deren Rand in einer Ebene liegt</translation>
+    </message>
+    <message>
+      <location filename="suture_workbench/extras.py" />
+      <source>Where no edge names a hole: only holes of a larger diameter; 0: all</source>
+      <translation>Wo keine Kante ein Loch nennt: nur Löcher von größerem Durchmesser; 0: alle</translation>
+    </message>
+    <message>
+      <location filename="suture_workbench/extras.py" />
+      <source>Where no edge names a hole: only holes of a smaller diameter; 0: all</source>
+      <translation>Wo keine Kante ein Loch nennt: nur Löcher von kleinerem Durchmesser; 0: alle</translation>
+    </message>
+    <message>
+      <location filename="suture_workbench/extras.py" />
+      <source>Where no edge names a hole: only holes with so many sides; 0: all</source>
+      <translation>Wo keine Kante ein Loch nennt: nur Löcher mit so vielen Seiten; 0: alle</translation>
+    </message>
+    <message>
+      <location filename="suture_workbench/extras.py" />
+      <source>Edges, and the face to be tangent to there: Edge3=Face7</source>
+      <translation>Kanten, und die Fläche, die dort berührt werden soll: Edge3=Face7</translation>
+    </message>
+    <message>
       <location filename="suture_workbench/feature.py" />
       <source>{} filled</source>
       <translation>{} gefüllt</translation>
@@ -234,9 +279,14 @@
       <translation>Kurve</translation>
     </message>
     <message>
+      <location filename="suture_workbench/gui/elements_list.py" />
+      <source>{}, tangent to {}</source>
+      <translation>{}, berührt {}</translation>
+    </message>
+    <message>
       <location filename="suture_workbench/gui/elements_panel.py" />
-      <source>Click the edges around the new face, in any order.</source>
-      <translation>Klicken Sie die Kanten rings um die neue Fläche an, in beliebiger Reihenfolge.</translation>
+      <source>Click the edges around the new face, in any order; with an edge's row selected, a face to be tangent to there.</source>
+      <translation>Klicken Sie die Kanten um die neue Fläche an, in beliebiger Reihenfolge; ist die Zeile einer Kante gewählt, eine Fläche, die dort berührt werden soll.</translation>
     </message>
     <message>
       <location filename="suture_workbench/gui/elements_panel.py" />
@@ -252,6 +302,11 @@
       <location filename="suture_workbench/gui/elements_panel.py" />
       <source>Click the faces that are to go.</source>
       <translation>Klicken Sie die Flächen an, die verschwinden sollen.</translation>
+    </message>
+    <message>
+      <location filename="suture_workbench/gui/extras_box.py" />
+      <source>any</source>
+      <translation>beliebig</translation>
     </message>
     <message>
       <location filename="suture_workbench/gui/failures.py" />
@@ -724,8 +779,8 @@ oder installieren oder angeben, wo es ist: Bearbeiten &gt; Einstellungen &gt; Su
     </message>
     <message>
       <location filename="suture_workbench/properties.py" />
-      <source>Edges of other objects that belong to the border or the bridge</source>
-      <translation>Kanten anderer Objekte, die zum Rand oder zur Brücke gehören</translation>
+      <source>Edges of other objects that belong to the border or the bridge, and faces to be tangent to</source>
+      <translation>Kanten anderer Objekte, die zum Rand oder zur Brücke gehören, und Flächen, die berührt werden sollen</translation>
     </message>
     <message>
       <location filename="suture_workbench/properties.py" />
@@ -1049,6 +1104,46 @@ oder installieren oder angeben, wo es ist: Bearbeiten &gt; Einstellungen &gt; Su
     </message>
     <message>
       <location filename="suture_workbench/words.py" />
+      <source>Merge with equal neighbours</source>
+      <translation>Mit gleichen Nachbarn vereinigen</translation>
+    </message>
+    <message>
+      <location filename="suture_workbench/words.py" />
+      <source>Let the neighbours grow together</source>
+      <translation>Nachbarn zusammenwachsen lassen</translation>
+    </message>
+    <message>
+      <location filename="suture_workbench/words.py" />
+      <source>Cut in two</source>
+      <translation>In zwei teilen</translation>
+    </message>
+    <message>
+      <location filename="suture_workbench/words.py" />
+      <source>Tension</source>
+      <translation>Spannung</translation>
+    </message>
+    <message>
+      <location filename="suture_workbench/words.py" />
+      <source>Planar holes only</source>
+      <translation>Nur ebene Löcher</translation>
+    </message>
+    <message>
+      <location filename="suture_workbench/words.py" />
+      <source>Larger than</source>
+      <translation>Größer als</translation>
+    </message>
+    <message>
+      <location filename="suture_workbench/words.py" />
+      <source>Smaller than</source>
+      <translation>Kleiner als</translation>
+    </message>
+    <message>
+      <location filename="suture_workbench/words.py" />
+      <source>With so many sides</source>
+      <translation>Mit so vielen Seiten</translation>
+    </message>
+    <message>
+      <location filename="suture_workbench/words.py" />
       <source>{} loose faces sewn, gaps up to {:.2g} mm; {} free edges are left.</source>
       <translation>{} lose Flächen genäht, Spalte bis {:.2g} mm; {} freie Kanten bleiben.</translation>
     </message>
@@ -1234,6 +1329,11 @@ oder installieren oder angeben, wo es ist: Bearbeiten &gt; Einstellungen &gt; Su
     </message>
     <message>
       <location filename="suture_workbench/words.py" />
+      <source>angle to the normal wanted at a point,</source>
+      <translation>Winkel zur gewünschten Normalen in einem Punkt,</translation>
+    </message>
+    <message>
+      <location filename="suture_workbench/words.py" />
       <source>{} {:.3g}{} (at most {:.3g})</source>
       <translation>{} {:.3g}{} (höchstens {:.3g})</translation>
     </message>
@@ -1371,11 +1471,6 @@ oder installieren oder angeben, wo es ist: Bearbeiten &gt; Einstellungen &gt; Su
       <location filename="suture_workbench/words.py" />
       <source>Cells</source>
       <translation>Zellen</translation>
-    </message>
-    <message>
-      <location filename="suture_workbench/words.py" />
-      <source>Tension</source>
-      <translation>Spannung</translation>
     </message>
     <message>
       <location filename="suture_workbench/words.py" />
@@ -3843,6 +3938,46 @@ oder installieren oder angeben, wo es ist: Bearbeiten &gt; Einstellungen &gt; Su
       <location filename="program.txt" />
       <source>{0} between the rims</source>
       <translation>{0} zwischen den Rändern</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>edge {0} does not lie on face {1}: it is {2} away, more than {3}</source>
+      <translation>Edge{0} liegt nicht auf Face{1}: sie ist {2} davon entfernt, mehr als {3}</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>edge {0} runs inside face {1}, which stands across the opening: on which side of the edge the new face lies cannot be told</source>
+      <translation>Edge{0} verläuft im Inneren von Face{1}, die quer zur Öffnung steht: auf welcher Seite der Kante die neue Fläche liegt, kann man nicht sagen</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>there is no face {0}: the model has {1} faces</source>
+      <translation>es gibt keine Face{0}: das Modell hat {1} Flächen</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>tangent to face {0}, its support</source>
+      <translation>tangential zu Face{0}, auf der sie liegt</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>OCCT's filling takes points, but no normals at them</source>
+      <translation>die Füllung von OCCT nimmt Punkte, aber keine Normalen in ihnen</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>--planar, --larger, --smaller and --sides choose among all holes: name none besides</source>
+      <translation>die Auswahl nach Art und Größe gilt unter allen Löchern: nennen Sie keines daneben</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>none of the model's {0} is as --planar, --larger, --smaller and --sides say</source>
+      <translation>keines von {0} des Modells ist so, wie die Auswahl nach Art und Größe es will</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>the neighbours of the holes have grown together</source>
+      <translation>die Nachbarn der Löcher sind zusammengewachsen</translation>
     </message>
   </context>
 </TS>
