@@ -27,6 +27,6 @@ picture elbow 0.5,-1,0.5 bridge --edges "$(chosen elbow)"
 picture corner 1,0.9,0.8 fill --replace-faces "$(chosen corner)"
 picture fillet 1,0.9,0.8 fill --remove-faces "$(chosen fillet)"
 picture leaning 0.5,-1,0.6 fill --no-sew --boundary "$(chosen leaning)" --support "$(chosen leaning)=1"
-picture curve 0.5,-1,0.6 fill --hole 1 --through-edges "$(chosen curve)"
+picture curve 0.5,-1,0.6 fill --through-edges "$(chosen curve)"
 picture tin 1,-0.4,0.5 fill --merge
 picture hull -0.8,-1,1.2 fill --all-loops --split auto
