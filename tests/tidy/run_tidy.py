@@ -22,6 +22,7 @@ INCLUDE_ROOTS = [ROOT / "kernel", ROOT / "step_io", ROOT / "tests"]
 INCLUDE = re.compile(r'^\s*#\s*include\s*"([^"]+)"', re.MULTILINE)
 PRECOMPILED = ROOT / "kernel/suture/occ/pch.h"
 TIDY = "clang-tidy"
+SKIPPED = 77
 
 
 def without_gch(command):
@@ -92,6 +93,10 @@ def tidy(source, database):
 
 
 def main(build, folders):
+    version = subprocess.run([TIDY, "--version"], capture_output=True, check=True).stdout
+    if folders and not re.search(rb"version 14\b", version):
+        print("Skipped: clang-tidy is not 14, whose checks are ours")
+        return SKIPPED
     commands = read_commands(build, [(ROOT / folder).resolve() for folder in folders])
     if not commands:
         raise SystemExit(f"{build}: no source of ours is compiled there, in {folders or 'any folder'}")
@@ -105,7 +110,6 @@ def main(build, folders):
 
     cache = Path(os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache") / "suture-tidy"
     cache.mkdir(parents=True, exist_ok=True)
-    version = subprocess.run([TIDY, "--version"], capture_output=True, check=True).stdout
     stamps = {
         source: cache / fingerprint(source, arguments, settings_for(source) + version)
         for source, arguments in commands.items()
