@@ -240,7 +240,7 @@ _COMMANDS = [
         "Suture_Patch",
         QT_TRANSLATE_NOOP("Suture_Patch", "Patch from a mesh…"),
         QT_TRANSLATE_NOOP("Suture_Patch", "Make a smooth many-sided surface from a control mesh of quads, an OBJ file"),
-        "U, P",
+        "U, M",
         patch,
         lambda: True,
     ),
