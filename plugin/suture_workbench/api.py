@@ -54,7 +54,8 @@ def edges_for(obj, edges=(), faces=()):
 def fill(obj, edges=(), faces=(), through=(), **options):
     """A parametric object in which holes of `obj` are filled; without edges and faces all of them.
 
-    through   [(object, ("Edge1", "Vertex2")), ...] that the new face passes through
+    through   [(object, ("Edge1", "Vertex2", "Face3")), ...] that the new face passes through; it is
+              tangent to faces among them where the edges and vertices lie on them
     options   those of FillOptions: method, continuity, sides, points, gap, angle, curvature,
               own, recognise, effort, one_face, all_loops; merge=True, split="auto" or "3,7", grow=True;
               planar=True, larger=2, smaller=9, corners=4: only holes like that

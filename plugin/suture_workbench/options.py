@@ -27,7 +27,7 @@ class FillOptions:
     one_face     the loops bound one face: the others are islands in the first
     all_loops    rims and doubtful loops too
     sides        {edge: "G2"}: the continuity of single sides
-    points       to pass through, as (x, y, z)
+    points       to pass through, as (x, y, z), or (x, y, z, nx, ny, nz) with the normal there
     recognise    where `auto` looks for the very surface that was lost: "model", "neighbours", "off"
     effort       how much `auto` tries: one of EFFORTS
     own          {key: value}: the method's own options (program.options_of)

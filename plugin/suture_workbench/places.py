@@ -175,20 +175,38 @@ def resolve(top, sub):
 
 
 def points_through(references, obj):
-    """Points of vertices and edges of other objects, in the coordinates of local_shape(obj).
+    """Points of vertices and edges of other objects, in the coordinates of local_shape(obj): (x, y, z),
+    or, where one lies on a face that is among them, (x, y, z, nx, ny, nz) with the face's normal.
 
-    references   [(object, ("Vertex1", "Edge2")), ...]; no sub-elements: all edges, else all vertices
+    references   [(object, ("Vertex1", "Edge2", "Face3")), ...]; no sub-elements: all edges, else all
+                 vertices
     """
     back = to_document(obj).inverse()
-    points = []
+    points, faces = [], []
     for other, subs in references or ():
         move = back.multiply(frame(other))
         shape = shape_of(other)
         subs = [sub for sub in subs if sub]
         parts = [shape.getElement(element_of(sub)) for sub in subs] or _all_parts(shape)
         for part in parts:
-            points += [move.multVec(point) for point in _points_of(part)]
-    return points
+            if part.ShapeType == "Face":
+                part = part.copy()
+                part.Placement = move.multiply(part.Placement)
+                faces.append(part)
+            else:
+                points += [move.multVec(point) for point in _points_of(part)]
+    if faces and not points:
+        raise SutureError(translate("Points to pass through are vertices and edges, not faces."))
+    return [(*point, *_normal_there(faces, point)) for point in points]
+
+
+def _normal_there(faces, point):
+    """The normal of the face that a point lies on; nothing if there is none."""
+    for face in faces:
+        reach = max(1e-6 * face.BoundBox.DiagonalLength, 1e-7)
+        if face.distToShape(Part.Vertex(point))[0] <= reach:
+            return tuple(face.normalAt(*face.Surface.parameter(point)))
+    return ()
 
 
 _POINTS_ON_AN_EDGE = 33
@@ -201,6 +219,4 @@ def _all_parts(shape):
 def _points_of(part):
     if part.ShapeType == "Vertex":
         return [part.Point]
-    if part.ShapeType == "Edge":
-        return part.discretize(_POINTS_ON_AN_EDGE)
-    raise SutureError(translate("Points to pass through are vertices and edges, not faces."))
+    return part.discretize(_POINTS_ON_AN_EDGE)

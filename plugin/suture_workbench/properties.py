@@ -117,7 +117,7 @@ _PROPERTIES = [
         "Through",
         "App::PropertyLinkSubListGlobal",
         "Fill",
-        mark("Vertices and edges that the new face passes through"),
+        mark("Vertices and edges that the new face passes through, and faces to be tangent to there"),
         0,
     ),
     (

@@ -244,7 +244,7 @@ class FillHoles(Task):
 
     def _points_file(self):
         path = self.folder / "points.csv"
-        lines = (f"{x!r},{y!r},{z!r}\n" for x, y, z in self.options.points)
+        lines = (",".join(map(repr, point)) + "\n" for point in self.options.points)
         path.write_text("".join(lines), encoding="ascii")
         return path
 

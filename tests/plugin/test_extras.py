@@ -1,5 +1,6 @@
 """What a fill can be told besides: merge, cut in two, grow, tension, supports, holes by kind and size."""
 
+import json
 import math
 import tempfile
 import unittest
@@ -105,6 +106,27 @@ class Extras(Case):
             cap.touch()
             cap.InputKey = ""
             self.document.recompute()
+
+    def test_a_face_is_tangent_to_another_one_along_an_edge_of_it(self):
+        """Over a circle of a ball, through a smaller one: with the ball's tangency the ball's own cap."""
+        height = lambda r: math.sqrt(400 - r * r)
+        rim = self.add(Part.makeCircle(9, V(0, 0, height(9))), "Rim")
+        inner = self.add(Part.makeCircle(5, V(0, 0, height(5))), "Inner")
+        ball = self.add(Part.makeSphere(20), "Ball")
+        for obj in (rim, inner, ball):
+            obj.Placement = TURNED
+        self.document.recompute()
+        passed = [(inner, ("Edge1",)), (ball, ("Face1",))]
+        cap = api.fill_border([(rim, [1])], passed)
+        report = json.loads(cap.Report)
+        (hole,) = (h for h in report["holes"] if h["status"] == "filled")
+        self.assertLess(hole["max_angle_through_deg"], 0.1)
+        top = TURNED.multVec(V(0, 0, 20))
+        self.assertLess(cap.Shape.distToShape(Part.Vertex(top))[0], 0.02)
+        self.assertEqual(cap.State, ["Up-to-date"])
+        with self.assertRaises(SutureError) as caught:
+            api.fill_border([(rim, [1])], passed[1:])
+        self.assertIn("not faces", str(caught.exception))
 
     def test_it_is_saved_and_opened_with_all_that_it_is_made_of(self):
         _, cap = self.leaning()

@@ -33,7 +33,8 @@ def read_points(path):
 
 
 class ThroughList(QtWidgets.QWidget):
-    """`references` to vertices and edges of any object, and loose `points` of the base."""
+    """`references` to vertices and edges of any object, and faces whose normals they take; and loose
+    `points` of the base."""
 
     changed = QtCore.Signal()
 
@@ -63,7 +64,7 @@ class ThroughList(QtWidgets.QWidget):
         for entry in Gui.Selection.getSelectionEx("", 0):
             for sub in entry.SubElementNames or ("",):
                 obj, _, element = places.resolve(entry.Object, sub)
-                if obj is not self._base or element[:4] in ("Edge", "Vert"):
+                if obj is not self._base or element[:4] in ("Edge", "Vert", "Face"):
                     added.append((obj, (element,)))
         if not added:
             failures.show(SutureError(translate("Select vertices or edges first.")))

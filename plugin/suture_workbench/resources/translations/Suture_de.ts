@@ -844,8 +844,8 @@ oder installieren oder angeben, wo es ist: Bearbeiten &gt; Einstellungen &gt; Su
     </message>
     <message>
       <location filename="suture_workbench/properties.py" />
-      <source>Vertices and edges that the new face passes through</source>
-      <translation>Punkte und Kanten, durch die die neue Fläche geht</translation>
+      <source>Vertices and edges that the new face passes through, and faces to be tangent to there</source>
+      <translation>Punkte und Kanten, durch die die neue Fläche geht, und Flächen, die dort berührt werden sollen</translation>
     </message>
     <message>
       <location filename="suture_workbench/properties.py" />
