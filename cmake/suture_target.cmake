@@ -1,5 +1,6 @@
 # suture_folder(NAME SOURCES file... HEADERS file... LINK target...)
-# One folder of the flow as a static library suture_NAME, exported as suture::NAME.
+# One folder of the flow as a static library suture_NAME, exported as suture::NAME. HEADERS are those
+# that are installed: what <suture/suture.h> includes, and what these include (tests/package).
 # OCC adds the precompiled header of OCCT's most used headers.
 function(suture_folder name)
     cmake_parse_arguments(arg "OCC" "" "SOURCES;HEADERS;LINK" ${ARGN})
@@ -31,7 +32,7 @@ endfunction()
 
 # suture_module(NAME FOLDER SOURCES file... LINK library...)
 # What few runs of a folder need, with libraries that take long to load: suture_NAME.so, which
-# symbol_on_demand (kernel/suture/base/on_demand.h) finds on the program's run path.
+# symbol_on_demand (kernel/suture/platform/on_demand.h) finds on the program's run path.
 function(suture_module name folder)
     cmake_parse_arguments(arg "" "" "SOURCES;LINK" ${ARGN})
     set(module suture_module_${name})

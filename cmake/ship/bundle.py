@@ -29,7 +29,7 @@ SYSTEM = (
     "libanl.so",
     "libnss_",
 )
-# What the program loads by name (kernel/suture/base/on_demand.h), no module of ours among them.
+# What the program loads by name (kernel/suture/platform/on_demand.h), no module of ours among them.
 LOADED_BY_NAME = ("libopenblas.so.0",)
 
 

@@ -1,7 +1,8 @@
 #include "cli/batch_process.h"
 
+#include "suture/platform/process.h"
+
 #include <fcntl.h>
-#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -34,7 +35,7 @@ std::string content_of(FILE* file) {
 }
 
 [[noreturn]] void be_the_program(int supervisor, int out, int err, std::vector<char*> words) {
-    prctl(PR_SET_PDEATHSIG, SIGTERM);
+    end_with_parent(SIGTERM);
     if (getppid() != supervisor) {
         _exit(kSignalBase + SIGTERM);  // it died before the line above
     }
@@ -44,7 +45,7 @@ std::string content_of(FILE* file) {
     dup2(nothing, STDIN_FILENO);
     dup2(out, STDOUT_FILENO);
     dup2(err, STDERR_FILENO);
-    execv("/proc/self/exe", words.data());
+    execv(kOwnProgram, words.data());
     _exit(kSignalBase - 1);
 }
 

@@ -4,6 +4,7 @@
 #include "cli/console.h"
 #include "cli/report_json.h"
 #include "cli/text_file.h"
+#include "suture/platform/process.h"
 
 #include <fmt/format.h>
 
@@ -19,7 +20,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kSelf = "/proc/self/exe";
 constexpr int kSignalBase = 128;  // as shells have it
 
 /// FNV-1a of 64 bits: it tells a changed file, and needs to stand no attack.
@@ -60,8 +60,8 @@ std::string key_of(const Batch& batch, const Batch::Item& item) {
     print.add(item.output.extension().string());
     print.add_content(item.input);
     print.add(SUTURE_VERSION);
-    print.add(fmt::format("{} {}", fs::file_size(kSelf, error),
-                          fs::last_write_time(kSelf, error).time_since_epoch().count()));
+    print.add(fmt::format("{} {}", fs::file_size(kOwnProgram, error),
+                          fs::last_write_time(kOwnProgram, error).time_since_epoch().count()));
     return print.text();
 }
 

@@ -7,6 +7,7 @@
 #include "cli/report_html.h"
 #include "cli/report_json.h"
 #include "cli/text_file.h"
+#include "suture/platform/process.h"
 
 #include <fmt/format.h>
 
@@ -34,7 +35,7 @@ struct DemoOptions {
 /// The examples of an installed program lie beside it, those of a build in the source tree.
 Result<std::vector<fs::path>> find_examples() {
     std::error_code error;
-    const fs::path program = fs::read_symlink("/proc/self/exe", error);
+    const fs::path program = fs::read_symlink(kOwnProgram, error);
     const fs::path installed = program.parent_path().parent_path() / SUTURE_INSTALLED_EXAMPLES;
     for (const fs::path& folder : {installed, fs::path(SUTURE_SOURCE_EXAMPLES)}) {
         std::vector<fs::path> files;

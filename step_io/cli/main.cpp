@@ -8,7 +8,6 @@
 #include "cli/picture_broker.h"
 #include "cli/report_html.h"
 #include "cli/report_json.h"
-#include "cli/sandbox.h"
 #include "cli/sew.h"
 #include "cli/standard_input.h"
 #include "cli/text_file.h"
@@ -18,8 +17,9 @@
 #include "files/format.h"
 #include "files/packed.h"
 #include "files/read.h"
-#include "suture/base/on_demand.h"
 #include "suture/occ/guard.h"
+#include "suture/platform/on_demand.h"
+#include "suture/platform/sandbox.h"
 
 #include <fcntl.h>
 #include <fmt/format.h>

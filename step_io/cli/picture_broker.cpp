@@ -1,8 +1,9 @@
 #include "cli/picture_broker.h"
 
+#include "suture/platform/process.h"
+
 #include "report/picture.h"
 #include <poll.h>
-#include <sys/prctl.h>
 #include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -67,7 +68,7 @@ std::string answer_of(const Result<void>& taken) {
     }
     pthread_sigmask(SIG_BLOCK, &stop, nullptr);
     std::signal(SIGPIPE, SIG_IGN);
-    prctl(PR_SET_PDEATHSIG, SIGTERM);
+    end_with_parent(SIGTERM);
     static std::stop_source source;
     static std::atomic<bool> busy = false;
     std::thread([stop] {

@@ -1,6 +1,7 @@
 #include "cli/standard_input.h"
 
-#include <sys/mman.h>
+#include "suture/platform/descriptor.h"
+
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -68,7 +69,7 @@ Result<void> keep_standard_input() {
     if (fstat(STDIN_FILENO, &status) == 0 && S_ISREG(status.st_mode)) {
         return {};
     }
-    const int file = memfd_create("suture-stdin", MFD_CLOEXEC);
+    const int file = make_memory_file("suture-stdin");
     if (file < 0) {
         return tl::unexpected(unreadable(errno));
     }

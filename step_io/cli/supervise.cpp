@@ -1,12 +1,12 @@
 #include "cli/supervise.h"
 
 #include "cli/exit_code.h"
+#include "suture/platform/process.h"
+#include "suture/platform/signal_file.h"
 
 #include <fcntl.h>
 #include <poll.h>
-#include <sys/prctl.h>
 #include <sys/resource.h>
-#include <sys/signalfd.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -99,7 +99,7 @@ void say_and_give_up() {
 
 [[noreturn]] void be_the_job(pid_t supervisor, int line, const JobLimits& limits, const Job& job) {
     setpgid(0, 0);
-    prctl(PR_SET_PDEATHSIG, SIGKILL);
+    end_with_parent(SIGKILL);
     if (getppid() != supervisor) {
         _exit(kInternal);  // it died before the line above
     }
@@ -225,11 +225,10 @@ class Supervisor {
     }
 
     void take_signal() {
-        signalfd_siginfo info{};
-        if (read(signals_, &info, sizeof info) != sizeof info) {
+        const int signal = suture::take_signal(signals_);
+        if (signal == 0) {
             return;
         }
-        const int signal = static_cast<int>(info.ssi_signo);
         if (signal == SIGTSTP) {
             suspend();
         } else if (signal != SIGCHLD) {
@@ -316,16 +315,7 @@ void StageLine::lack_memory() const {
 }
 
 std::uint64_t default_memory_limit() {
-    std::uint64_t most = static_cast<std::uint64_t>(sysconf(_SC_PHYS_PAGES)) *
-                         static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE));
-    for (const char* file :
-         {"/sys/fs/cgroup/memory.max", "/sys/fs/cgroup/memory/memory.limit_in_bytes"}) {
-        std::uint64_t allowed = 0;
-        if (std::ifstream(file) >> allowed && allowed > 0) {
-            most = std::min(most, allowed);
-        }
-    }
-    return most / 4 * 3;
+    return memory_of_machine() / 4 * 3;
 }
 
 Ending supervise(const JobLimits& limits, const Job& job) {
@@ -334,7 +324,7 @@ Ending supervise(const JobLimits& limits, const Job& job) {
     sigprocmask(SIG_BLOCK, &handled, &before);
     std::signal(SIGPIPE, SIG_IGN);  // a reader that has seen enough of our output is no crash
     std::array<int, 2> line{};
-    const int signals = signalfd(-1, &handled, SFD_CLOEXEC);
+    const int signals = open_signal_file(handled);
     if (signals < 0 || pipe2(line.data(), O_CLOEXEC | O_NONBLOCK) != 0) {
         return {Ending::Kind::NotStarted, errno, Stage::Start, {}, 0};
     }

@@ -1,5 +1,7 @@
 #include "files/atomic_file.h"
 
+#include "suture/platform/descriptor.h"
+
 #include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -30,9 +32,7 @@ class TemporaryFile : public std::streambuf {
         static std::atomic<int> count = 0;
         path_ =
             beside.parent_path() / fmt::format(".suture-{}-{}.tmp", ::getpid(), count.fetch_add(1));
-        if (::access("/proc/self/fd", X_OK) == 0) {  // the way to a name later on
-            file_ = ::open(beside.parent_path().c_str(), O_WRONLY | O_TMPFILE | O_CLOEXEC, 0666);
-        }
+        file_ = make_nameless_file(beside.parent_path());
         if (file_ < 0) {
             file_ = ::open(path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
             named_ = file_ >= 0;
@@ -62,8 +62,7 @@ class TemporaryFile : public std::streambuf {
         }
         check(::fsync(file_));
         if (error_ == 0 && !named_) {
-            check(::linkat(AT_FDCWD, fmt::format("/proc/self/fd/{}", file_).c_str(), AT_FDCWD,
-                           path_.c_str(), AT_SYMLINK_FOLLOW));
+            check(give_name(file_, path_));
             named_ = error_ == 0;
         }
         check(::close(file_));
@@ -85,7 +84,7 @@ class TemporaryFile : public std::streambuf {
     /// Where the content can be read from while it has no place yet; all of it once flushed.
     [[nodiscard]] fs::path readable() {
         sync();
-        return named_ ? path_ : fs::path(fmt::format("/proc/self/fd/{}", file_));
+        return named_ ? path_ : path_of(file_);
     }
 
   private:

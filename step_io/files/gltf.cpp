@@ -2,7 +2,7 @@
 
 #include "files/document.h"
 #include "files/gltf_module.h"
-#include "suture/base/on_demand.h"
+#include "suture/platform/on_demand.h"
 
 #include <stdlib.h>
 

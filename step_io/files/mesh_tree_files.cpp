@@ -1,7 +1,7 @@
 #include "files/mesh_tree.h"
 #include "files/write_time.h"
 #include "files/zip_module.h"
-#include "suture/base/on_demand.h"
+#include "suture/platform/on_demand.h"
 #include "suture/base/text.h"
 
 #include <fmt/ostream.h>

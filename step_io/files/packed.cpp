@@ -2,10 +2,10 @@
 
 #include "files/foreign.h"
 #include "files/zip_module.h"
-#include "suture/base/on_demand.h"
+#include "suture/platform/descriptor.h"
+#include "suture/platform/on_demand.h"
 
 #include <fmt/ranges.h>
-#include <sys/mman.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -86,7 +86,7 @@ Result<std::string> unpack_zip(std::string bytes, const std::filesystem::path& f
 
 }  // namespace
 
-NamedBytes::NamedBytes(std::string_view bytes) : file_(memfd_create("suture", MFD_CLOEXEC)) {
+NamedBytes::NamedBytes(std::string_view bytes) : file_(make_memory_file("suture")) {
     while (file_ >= 0 && !bytes.empty()) {
         const ssize_t written = write(file_, bytes.data(), bytes.size());
         if (written < 0) {
@@ -95,7 +95,7 @@ NamedBytes::NamedBytes(std::string_view bytes) : file_(memfd_create("suture", MF
         bytes.remove_prefix(static_cast<std::size_t>(written));
     }
     if (file_ >= 0) {
-        path_ = fmt::format("/proc/self/fd/{}", file_);
+        path_ = path_of(file_);
     }
 }
 

@@ -5,7 +5,7 @@
 #include "files/progress_indicator.h"
 #include "files/static_scope.h"
 #include "files/units.h"
-#include "suture/base/on_demand.h"
+#include "suture/platform/on_demand.h"
 
 namespace suture::io {
 

@@ -1,8 +1,9 @@
 #include "report/picture.h"
 
+#include "suture/platform/process.h"
+
 #include <fcntl.h>
 #include <fmt/format.h>
-#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -54,7 +55,7 @@ std::optional<int> run_quietly(const std::vector<std::string>& words, std::chron
     const pid_t child = fork();
     if (child == 0) {
         setpgid(0, 0);  // the browser's own processes end with it
-        prctl(PR_SET_PDEATHSIG, SIGKILL);
+        end_with_parent(SIGKILL);
         const int nothing = open("/dev/null", O_RDWR | O_CLOEXEC);
         for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
             dup2(nothing, stream);

@@ -7,15 +7,16 @@ import unittest
 from pathlib import Path
 
 # Every folder of the flow with the folders that it may include, downwards as the flow runs.
-CORE = ["base", "spline", "model", "fill"]
+CORE = ["platform", "base", "spline", "model", "fill"]
 ALLOWED = {
-    "base": [],
+    "platform": [],
+    "base": ["platform"],
     "spline": ["base"],
     "model": ["base", "spline"],
-    "fill": ["base", "spline", "model"],
-    "occ": ["base", "spline", "model"],
+    "fill": ["platform", "base", "spline", "model"],
+    "occ": ["platform", "base", "spline", "model"],
     "detect": ["base", "spline", "model", "occ"],
-    "edges": ["base", "occ", "detect"],
+    "edges": ["platform", "base", "occ", "detect"],
     "ribbon": ["base", "spline", "model", "occ", "detect"],
     "candidates": CORE + ["occ", "detect", "ribbon"],
     "occt_filling": CORE + ["occ", "detect", "ribbon"],
@@ -42,6 +43,13 @@ ONLY_HEADERS = {
     }
 }
 TARGET_OF_FOLDER = {"files": "suture_io"}
+
+# What other systems have not, or in another way: a port is a port of one folder.
+LINUX = re.compile(
+    r"\b(signalfd\w*|prctl|O_TMPFILE|memfd_create|landlock_\w+|SYS_\w+|syscall|dl_iterate_phdr|dlinfo|dlopen"
+    r"|epoll_\w+|inotify_\w+|timerfd_\w+|pidfd_\w+|eventfd)\b|<linux/|<sys/prctl|<link\.h>|\"/(proc|sys)/"
+)
+COMMENT = re.compile(r"//[^\n]*")
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^">]+)[">]', re.MULTILINE)
 OCCT_HEADER = re.compile(r"\.(hxx|lxx|gxx)$")
@@ -75,7 +83,11 @@ def violations(root):
     for source in sources:
         relative = source.relative_to(root)
         folder = folder_of_source(relative)
-        for quote, name in INCLUDE.findall(source.read_text(encoding="utf-8")):
+        text = source.read_text(encoding="utf-8")
+        if folder != "platform":
+            for call in LINUX.finditer(COMMENT.sub("", text)):
+                found.append(f"{relative}: {call[0]} belongs into the folder platform")
+        for quote, name in INCLUDE.findall(text):
             reason = forbidden(root, folder, quote, name)
             if reason:
                 found.append(f"{relative}: includes {name}: {reason}")
@@ -162,6 +174,7 @@ class ForbiddenIncludes(unittest.TestCase):
             for header in self.HEADERS:
                 (root / header).parent.mkdir(parents=True, exist_ok=True)
                 (root / header).write_text("#pragma once\n", encoding="utf-8")
+            (root / source).parent.mkdir(parents=True, exist_ok=True)
             (root / source).write_text(line + "\n", encoding="utf-8")
             return violations(root)
 
@@ -187,6 +200,18 @@ class ForbiddenIncludes(unittest.TestCase):
 
     def test_the_command_line_in_files_is_found(self):
         self.assert_forbidden("step_io/files/read.cpp", '#include "cli/command.h"')
+
+    def test_calls_of_linux_alone_are_found_outside_of_their_folder(self):
+        for line in (
+            "#include <linux/landlock.h>",
+            "const int file = signalfd(-1, &signals, SFD_CLOEXEC);",
+            "prctl(PR_SET_PDEATHSIG, SIGKILL);",
+            "open(folder, O_WRONLY | O_TMPFILE);",
+            'execv("/proc/self/exe", words);',
+        ):
+            self.assert_forbidden("step_io/cli/a.cpp", line)
+            self.assertEqual(self.found_in("kernel/suture/platform/a.cpp", line), [])
+        self.assertEqual(self.found_in("step_io/cli/a.cpp", "// not signalfd(), nor /proc/self"), [])
 
     def test_an_include_of_nothing_is_found(self):
         self.assert_forbidden("kernel/suture/fill/plane.cpp", '#include "fill.h"')

@@ -1,10 +1,10 @@
 #include "suture/edges/grow.h"
 
-#include "suture/base/on_demand.h"
 #include "suture/edges/grow_request.h"
 #include "suture/occ/guard.h"
 #include "suture/occ/isolate.h"
 #include "suture/occ/topology.h"
+#include "suture/platform/on_demand.h"
 
 namespace suture {
 namespace {

@@ -1,7 +1,7 @@
 // The functions of OpenBLAS that fill methods call, passed on to the library, which is loaded at
 // the first of these calls: closed forms need none of it.
 
-#include "suture/base/on_demand.h"
+#include "suture/platform/on_demand.h"
 
 #include <cblas-openblas.h>
 

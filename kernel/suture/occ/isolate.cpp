@@ -1,12 +1,12 @@
 #include "suture/occ/isolate.h"
 
 #include "suture/occ/guard.h"
+#include "suture/platform/descriptor.h"
+#include "suture/platform/process.h"
 
 #include <fcntl.h>
 #include <poll.h>
 #include <spawn.h>
-#include <sys/mman.h>
-#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -87,7 +87,7 @@ std::string read_all(int file) {
 
 /// Starts the program with the request as its standard input; false: errno says why not.
 bool start(const std::string& program, const std::string& request, Child& child) {
-    const File input(memfd_create("request", MFD_CLOEXEC));
+    const File input(make_memory_file("request"));
     std::array<int, 2> ends{};
     if (input.get() < 0 || pipe2(ends.data(), O_CLOEXEC) != 0) {
         return false;
@@ -173,7 +173,7 @@ Result<std::string> run_isolated(std::string_view what, const std::string& progr
 
 int serve(std::string_view what,
           const std::function<Result<std::string>(const std::string& request)>& action) {
-    prctl(PR_SET_PDEATHSIG, SIGKILL);
+    end_with_parent(SIGKILL);
     const std::string request = read_all(STDIN_FILENO);
     const Result<std::string> result = guarded(what, [&] { return action(request); });
     if (result) {

@@ -1,11 +1,11 @@
 #include "suture/occt_filling/plate.h"
 
-#include "suture/base/on_demand.h"
 #include "suture/occ/convert.h"
 #include "suture/occ/guard.h"
 #include "suture/occ/isolate.h"
 #include "suture/occt_filling/filling_request.h"
 #include "suture/occt_filling/invert.h"
+#include "suture/platform/on_demand.h"
 
 #include <BRep_Tool.hxx>
 #include <Geom2d_Curve.hxx>

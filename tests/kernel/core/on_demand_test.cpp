@@ -1,4 +1,4 @@
-#include "suture/base/on_demand.h"
+#include "suture/platform/on_demand.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "cli/sandbox.h"
+#include "suture/platform/sandbox.h"
 
 #include "files/atomic_file.h"
 
