@@ -3979,5 +3979,130 @@ oder installieren oder angeben, wo es ist: Bearbeiten &gt; Einstellungen &gt; Su
       <source>the neighbours of the holes have grown together</source>
       <translation>die Nachbarn der Löcher sind zusammengewachsen</translation>
     </message>
+    <message>
+      <location filename="program.txt" />
+      <source>Face{0} is a sweep of a curve that is no line, conic or B-spline</source>
+      <translation>Face{0} ist aus einer Kurve gezogen, die weder Gerade noch Kegelschnitt oder B-Spline ist</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>Face{0} is an offset of a surface that is no B-spline</source>
+      <translation>Face{0} liegt parallel zu einer Fläche, die kein B-Spline ist</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>its curve is no line, conic or B-spline</source>
+      <translation>ihre Kurve ist weder Gerade noch Kegelschnitt oder B-Spline</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>angle to the normal wanted at a point, {0}</source>
+      <translation>Winkel zur Normale, die an einem Punkt verlangt ist: {0}</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>OCCT's merging of faces gave nothing</source>
+      <translation>die Vereinigung von Flächen durch OCCT gab nichts</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>edge {0} is given two supports</source>
+      <translation>Edge{0} hat zwei Stützflächen bekommen</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>--support: edge {0} is no edge of the border</source>
+      <translation>Stützfläche: Edge{0} ist keine Kante des Randes</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>measuring the edge against its support</source>
+      <translation>misst die Kante an ihrer Stützfläche</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>taking a face's normals</source>
+      <translation>nimmt die Normalen einer Fläche</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>following an edge</source>
+      <translation>folgt einer Kante</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>looking for holes</source>
+      <translation>sucht Löcher</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>the model has no hole, only {0} other boundary loop(s), the first a {1} ({2}); --all-loops or --hole fills them</source>
+      <translation>das Modell hat kein Loch, nur {0} andere offene Ränder, der erste: {1} ({2})</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>the model has no hole; it has {0} of open sheets (--all-loops fills them)</source>
+      <translation>das Modell hat kein Loch; es hat {0} von offenen Blechen</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>edge {0} lies in another instance of its part: choose that of the first</source>
+      <translation>Edge{0} liegt in einem anderen Exemplar ihres Teils: wählen Sie die des ersten</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>{0}: OCCT's reader crashed ({1}) while {2}: the file is damaged, or hits a bug in OCCT</source>
+      <translation>{0}: der Leser von OCCT ist abgestürzt ({1}), {2}: die Datei ist beschädigt oder trifft einen Fehler in OCCT</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>{0}: the program crashed ({1}) while {2}</source>
+      <translation>{0}: das Programm ist abgestürzt ({1}), {2}</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>{0}: stopped after {1} s while {2}; --timeout gives more time</source>
+      <translation>{0}: nach {1} s angehalten, {2}</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>{0}: {1} GB of memory are not enough for {2}; --memory gives more</source>
+      <translation>{0}: {1} GB Speicher reichen nicht, {2}</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>{0} has no colours and layers: they are lost</source>
+      <translation>{0} hat keine Farben und Layer: sie gehen verloren</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>{0} has no assembly tree: all parts become one model, and {1} names of assemblies, parts and instances are lost</source>
+      <translation>{0} hat keinen Baum der Baugruppe: alle Teile werden ein Modell, und {1} Namen von Baugruppen, Teilen und Exemplaren gehen verloren</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>face {0} could not be meshed</source>
+      <translation>Face{0} ließ sich nicht vernetzen</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>edge {0} of face {1} was not meshed</source>
+      <translation>Edge{0} von Face{1} wurde nicht vernetzt</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>{0} is damaged: section {1} has {2} lines, and its last line states {3}</source>
+      <translation>{0} ist beschädigt: Abschnitt {1} hat {2} Zeilen, und die letzte Zeile nennt {3}</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>{0} is a folder: name a file in it</source>
+      <translation>{0} ist ein Ordner: nennen Sie eine Datei darin</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>{0} has {1} sides, more than {2}</source>
+      <translation>{0} hat {1} Seiten, mehr als {2}</translation>
+    </message>
   </context>
 </TS>

@@ -91,7 +91,9 @@ def main(languages):
         write(file, language, known)
         missing = sum(1 for text in texts() if not known.get(text))
         print(f"{file.name}: {len(texts())} texts, {missing} not translated")
-        subprocess.run(["lrelease", "-silent", file, "-qm", file.with_suffix(".qm")], check=True)
+        made = file.with_suffix(".new")
+        subprocess.run(["lrelease", "-silent", file, "-qm", made], check=True)
+        made.replace(file.with_suffix(".qm"))  # at once: a FreeCAD that runs has the old one open
 
 
 if __name__ == "__main__":
