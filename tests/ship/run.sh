@@ -76,7 +76,7 @@ bundle() {
 given() {
     cp /etc/resolv.conf "$root/etc/resolv.conf"
     chroot "$root" env DEBIAN_FRONTEND=noninteractive LC_ALL=C.UTF-8 sh -euc "apt-get -qq update
-        apt-get -qq install -y --no-install-recommends $* >/dev/null"
+        apt-get -qq -o Dpkg::Use-Pty=0 install -y --no-install-recommends $* >/dev/null"
 }
 
 wheel() {
