@@ -2,7 +2,6 @@
 
 #include "files/file_bytes.h"
 #include "files/static_scope.h"
-#include "suture/base/contract.h"
 #include "suture/occ/guard.h"
 #include "suture/occ/topology.h"
 
@@ -23,14 +22,12 @@ constexpr std::string_view kFace = "ADVANCED_FACE";
 /// Where every statement of the DATA section stands and what it refers to.
 class Statements {
   public:
-    explicit Statements(std::string_view text) : text_(text) {
-        StepScanner(text, *this).scan();
-        SUTURE_EXPECTS(data_ > 0);
-    }
+    explicit Statements(std::string_view text) : text_(text) { StepScanner(text, *this).scan(); }
+    [[nodiscard]] bool has_data() const { return data_ > 0; }
 
     void defines(StepId id, std::size_t at) {
         index_.emplace(id, statements_.size());
-        statements_.push_back({at, at, references_.size()});
+        statements_.push_back({id, at, at, references_.size()});
         last_ = std::max(last_, id);
     }
     void refers(StepId id) { references_.push_back(id); }
@@ -48,6 +45,7 @@ class Statements {
 
     [[nodiscard]] std::size_t size() const { return statements_.size(); }
     [[nodiscard]] StepId last() const { return last_; }
+    [[nodiscard]] StepId id(std::size_t statement) const { return statements_[statement].id; }
     /// Everything up to the first statement.
     [[nodiscard]] std::string_view head() const { return text_.substr(0, data_); }
     [[nodiscard]] std::string_view of(std::size_t statement) const {
@@ -72,8 +70,8 @@ class Statements {
         return found == index_.end() ? nullptr : &found->second;
     }
 
-    /// Marks a statement and all that it needs.
-    void mark(std::size_t statement, std::vector<bool>& needed) const {
+    /// Marks a statement and all that it needs. Result: 0, or an entity that is not there.
+    [[nodiscard]] StepId mark(std::size_t statement, std::vector<bool>& needed) const {
         std::vector<std::size_t> open{statement};
         while (!open.empty()) {
             const std::size_t next = open.back();
@@ -85,13 +83,19 @@ class Statements {
             const std::size_t end = next + 1 < statements_.size() ? statements_[next + 1].references
                                                                   : references_.size();
             for (std::size_t k = statements_[next].references; k < end; ++k) {
-                open.push_back(index_.at(references_[k]));
+                const std::size_t* referred = find(references_[k]);
+                if (referred == nullptr) {
+                    return references_[k];
+                }
+                open.push_back(*referred);
             }
         }
+        return 0;
     }
 
   private:
     struct Statement {
+        StepId id;
         std::size_t begin, end, references;  ///< offsets in the text, first of the references
     };
     std::string_view text_;
@@ -103,6 +107,13 @@ class Statements {
     std::unordered_map<StepId, std::size_t> index_;
 };
 
+// Some are added, and readers take signed numbers.
+constexpr StepId kHighestEntity = 2'000'000'000;
+
+tl::unexpected<Error> refers_to_nothing(StepId missing) {
+    return fail(ErrorCode::Unreadable, "entity #{} is referred to and missing", missing);
+}
+
 std::string list_of(const std::vector<StepId>& ids) {
     return fmt::format("#{}", fmt::join(ids, ",#"));
 }
@@ -113,6 +124,13 @@ Result<std::string> extract_step_faces(std::string_view text,
                                        const std::vector<std::vector<StepId>>& groups,
                                        std::size_t all_faces) {
     const Statements statements(text);
+    if (!statements.has_data()) {
+        return fail(ErrorCode::Unreadable, "the file has no DATA section");
+    }
+    if (statements.last() > kHighestEntity) {
+        return fail(ErrorCode::Unreadable, "entity #{}: the highest number allowed is {}",
+                    statements.last(), kHighestEntity);
+    }
     if (const std::size_t faces = statements.count(kFace); faces != all_faces) {
         return fail(ErrorCode::Unreadable, "the file has {} faces, the model {}", faces, all_faces);
     }
@@ -123,7 +141,9 @@ Result<std::string> extract_step_faces(std::string_view text,
             if (found == nullptr || !statements.is(kFace, *found)) {
                 return fail(ErrorCode::Unreadable, "entity #{} is no face", id);
             }
-            statements.mark(*found, needed);
+            if (const StepId missing = statements.mark(*found, needed); missing != 0) {
+                return refers_to_nothing(missing);
+            }
         }
     }
     // Units and accuracy: all representations in a file of ours have the same.
@@ -132,8 +152,10 @@ Result<std::string> extract_step_faces(std::string_view text,
     for (std::size_t i = 0; i < statements.size() && context == 0; ++i) {
         const std::string_view statement = statements.of(i);
         if (statement.find("GLOBAL_UNIT_ASSIGNED_CONTEXT") != std::string_view::npos) {
-            context = std::stoull(std::string(statement.substr(1, 20)));
-            statements.mark(i, needed);
+            context = statements.id(i);
+            if (const StepId missing = statements.mark(i, needed); missing != 0) {
+                return refers_to_nothing(missing);
+            }
         }
     }
     if (context == 0) {

@@ -66,8 +66,8 @@ void ClashPair::look(int i, int j) {
         !a_.cell(i).box.intersects(b_.cell(j).box)) {
         return;
     }
-    const bool leaf_a = is_leaf(a_.cell(i));
-    const bool leaf_b = is_leaf(b_.cell(j));
+    const bool leaf_a = is_leaf(a_, a_.cell(i));
+    const bool leaf_b = is_leaf(b_, b_.cell(j));
     if (is_self() && i == j) {
         if (!leaf_a && !passes_not_itself(i, i)) {
             const int first = a_.split(i);

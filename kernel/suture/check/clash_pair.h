@@ -26,8 +26,8 @@ class ClashPair {
     }
 
   private:
-    [[nodiscard]] bool is_leaf(const SurfaceTree::Cell& cell) const {
-        return cell.flat_known && cell.sag <= resolution_;
+    [[nodiscard]] bool is_leaf(const SurfaceTree& tree, const SurfaceTree::Cell& cell) const {
+        return (cell.flat_known && cell.sag <= resolution_) || tree.is_smallest(cell);
     }
     [[nodiscard]] bool is_self() const { return &a_ == &b_; }
     void look(int i, int j);

@@ -29,6 +29,10 @@ constexpr int kOtherPieces = 4;  // of a surface of another kind, each of its in
 // No face goes around its surface more often; a damaged one would be split until memory is full.
 constexpr double kMostTurns = 100.0;
 
+// No cell is divided below this part of the face's parameters: it may never become flat, where the
+// surface is singular.
+constexpr double kSmallest = 1e-7;
+
 // What nine points show of the distance from two triangles, and of the box, may be too little.
 constexpr double kSafety = 2.0;
 
@@ -221,16 +225,33 @@ SurfaceTree::Cell SurfaceTree::make_cell(const ParameterBox& uv, std::vector<int
     return cell;
 }
 
+/// Of its points along u or v; of its corners alone where there are no others: a closed cell has
+/// equal corners.
+double SurfaceTree::length_of(const Cell& cell, std::size_t k) const {
+    const auto& c = cell.corners;
+    const double corners = k == 0 ? (c[1] - c[0]).norm() + (c[2] - c[3]).norm()
+                                  : (c[3] - c[0]).norm() + (c[2] - c[1]).norm();
+    double by_points = 0.0;
+    for (const Eigen::Vector3d& derivative : k == 0 ? cell.by_u : cell.by_v) {
+        by_points += derivative.norm() * cell.uv.size(k);
+    }
+    return std::max(corners, by_points);
+}
+
+bool SurfaceTree::is_smallest(const ParameterBox& uv, std::size_t k) const {
+    return uv.size(k) <= kSmallest * domain_.box().size(k);
+}
+
 int SurfaceTree::split(int i) {
     if (cell(i).children < 0) {
         const Cell parent = cell(i);
-        const auto& c = parent.corners;
-        const double along_u = (c[1] - c[0]).norm() + (c[2] - c[3]).norm();
-        const double along_v = (c[3] - c[0]).norm() + (c[2] - c[1]).norm();
+        const std::array<double, 2> along = {length_of(parent, 0), length_of(parent, 1)};
         const std::array<bool, 2> breaks = {has_break(parent.uv, 0), has_break(parent.uv, 1)};
-        std::size_t k = along_u >= along_v ? 0 : 1;
+        std::size_t k = along[0] >= along[1] ? 0 : 1;
         if (breaks[0] != breaks[1]) {
             k = breaks[0] ? 0 : 1;
+        } else if (is_smallest(parent.uv, k)) {
+            k = 1 - k;
         }
         double at = parent.uv.middle(k);
         if (breaks.at(k)) {

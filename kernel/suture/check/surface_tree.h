@@ -52,6 +52,10 @@ class SurfaceTree {
     [[nodiscard]] bool can_meet_itself() const;
     [[nodiscard]] const FaceDomain& domain() const { return domain_; }
     [[nodiscard]] const Cell& cell(int i) const { return cells_[static_cast<std::size_t>(i)]; }
+    /// It is not to be split.
+    [[nodiscard]] bool is_smallest(const Cell& cell) const {
+        return is_smallest(cell.uv, 0) && is_smallest(cell.uv, 1);
+    }
     /// The first of the two halves of a cell; invalidates references to cells.
     int split(int i);
 
@@ -77,6 +81,8 @@ class SurfaceTree {
     [[nodiscard]] std::array<double, 2> clamped(std::array<double, 2> uv) const;
 
   private:
+    [[nodiscard]] double length_of(const Cell& cell, std::size_t k) const;
+    [[nodiscard]] bool is_smallest(const ParameterBox& uv, std::size_t k) const;
     [[nodiscard]] Cell make_cell(const ParameterBox& uv, std::vector<int> near) const;
     [[nodiscard]] bool has_break(const ParameterBox& uv, std::size_t k) const;
 

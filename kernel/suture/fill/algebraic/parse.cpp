@@ -1,5 +1,7 @@
 #include "suture/fill/algebraic/parse.h"
 
+#include "suture/base/text.h"
+
 #include <algorithm>
 #include <cctype>
 #include <optional>
@@ -45,7 +47,8 @@ class Parser {
     [[nodiscard]] tl::unexpected<Error> wrong(std::string_view expected) const {
         constexpr std::size_t kShown = 60;
         return fail(ErrorCode::Usage, "'{}{}': expected {} at character {}",
-                    text_.substr(0, kShown), text_.size() > kShown ? "..." : "", expected, at_ + 1);
+                    visible(text_.substr(0, kShown)), text_.size() > kShown ? "..." : "", expected,
+                    at_ + 1);
     }
 
     Result<Exact> sum() {
