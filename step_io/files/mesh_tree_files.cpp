@@ -1,8 +1,8 @@
 #include "files/mesh_tree.h"
 #include "files/write_time.h"
 #include "files/zip_module.h"
-#include "suture/platform/on_demand.h"
 #include "suture/base/text.h"
+#include "suture/platform/on_demand.h"
 
 #include <fmt/ostream.h>
 

@@ -6,6 +6,7 @@
 #include "suture/check/profile.h"
 #include "suture/detect/find_loops.h"
 #include "suture/judge/judge_fill.h"
+#include "suture/occ/guard.h"
 #include "suture/occ/topology.h"
 #include "suture/sew/sew_shape.h"
 
@@ -15,7 +16,6 @@
 #include <BRep_Builder.hxx>
 #include <Geom_BezierSurface.hxx>
 #include <Precision.hxx>
-#include <Standard_Failure.hxx>
 #include <TColgp_Array2OfPnt.hxx>
 #include <TopoDS_Compound.hxx>
 
@@ -48,12 +48,13 @@ TopoDS_Shape shape_of(Bytes& bytes) {
                 poles.SetValue(i, j, {x, y, coordinate(0)});
             }
         }
-        try {
-            builder.Add(
-                all, BRepBuilderAPI_MakeFace(new Geom_BezierSurface(poles), Precision::Confusion())
-                         .Face());
-        } catch (const Standard_Failure&) {
-            // OCCT makes no face of it, so no file holds it.
+        // Where OCCT makes no face of it no file holds it.
+        const auto made = occ::guarded("making a face", [&] {
+            return BRepBuilderAPI_MakeFace(new Geom_BezierSurface(poles), Precision::Confusion())
+                .Face();
+        });
+        if (made) {
+            builder.Add(all, *made);
         }
     }
     const auto sewn = sew_shape(all, 0.0);
