@@ -1,9 +1,12 @@
 """Faces over chosen edges, through the program: closed forms, and words that make no face."""
 
 import math
+import subprocess
+import sys
 import unittest
+from pathlib import Path
 
-from program import DONE, NOTHING, OUT_OF_TOLERANCE, USAGE, Case, example, run
+from program import CAD, DONE, NOTHING, OUT_OF_TOLERANCE, PROGRAM, USAGE, Case, example, run
 
 try:
     import wounds
@@ -11,6 +14,7 @@ try:
 except ImportError as error:  # no FreeCAD
     wounds = error
 
+BYTES = Path(__file__).resolve().parents[2] / "bench/border_bytes.py"
 SQUARE = [(0, 0, 0), (40, 0, 0), (40, 40, 0), (0, 40, 0)]
 
 
@@ -93,6 +97,16 @@ class Boundary(Case):
                     files.append(self.folder / f"{name}{i}.brep")
                     run("fill", example(name), "-o", files[-1], *words)
                 self.assertEqual(files[0].read_bytes(), files[1].read_bytes())
+
+    def test_is_the_same_to_the_byte_on_real_holes(self):
+        """Two of them here; tests/bench/border_bytes.py does it for all."""
+        if not CAD.exists():
+            self.skipTest(f"needs {CAD}")
+        for name in ("26_sphere_octant", "R01_sphere3"):
+            words = [sys.executable, BYTES, PROGRAM, CAD / "reopened", "--only", name]
+            ended = subprocess.run(words, capture_output=True, text=True, check=False)
+            self.assertEqual(ended.returncode, 0, ended.stdout + ended.stderr)
+            self.assertIn("1 holes the same, 0 not", ended.stdout)
 
     def test_small_gaps_close_and_wide_ones_are_bridged_on_demand(self):
         for gap, words in ((4e-4, ()), (2.0, ("--connect",))):
