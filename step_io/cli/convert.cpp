@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <optional>
 
 namespace suture::cli {
@@ -72,13 +73,38 @@ Result<std::optional<io::MeshFacts>> write(const io::ModelFile& model,
         .map([](const io::MeshFacts& facts) { return std::optional(facts); });
 }
 
+Json json_of_left_out(const std::vector<io::UnmeshedFace>& faces) {
+    Json list = Json::array();
+    for (const io::UnmeshedFace& face : faces) {
+        list.push_back({{"face", face.face},
+                        {"part", face.part},
+                        {"has_area", face.area},
+                        {"reason", face.reason}});
+    }
+    return list;
+}
+
+/// The faces that the mesh is without, as part of the verdict; the worst news last.
+std::string text_of_left_out(const std::vector<io::UnmeshedFace>& faces) {
+    const auto missing = std::ranges::find_if(faces, &io::UnmeshedFace::area);
+    const auto count = std::ranges::count_if(faces, &io::UnmeshedFace::area);
+    const auto collapsed = std::ssize(faces) - count;
+    std::string text;
+    if (collapsed > 0) {
+        text += fmt::format("; {} without area", counted(collapsed, "face"));
+    }
+    if (count > 0) {
+        text += fmt::format("; WITHOUT {}: {}", counted(count, "face"), io::text_of(*missing));
+    }
+    return text;
+}
+
 /// What a user has to know of a mesh.
 void tell_mesh(const io::MeshFacts& mesh, const ConvertOptions& options, Outcome& outcome) {
-    outcome.document["mesh"] = {{"triangles", mesh.triangles},
-                                {"points", mesh.points},
-                                {"deflection", mesh.deflection},
-                                {"needles_removed", mesh.needles},
-                                {"open_edges", mesh.open_edges}};
+    outcome.document["mesh"] = {
+        {"triangles", mesh.triangles},   {"points", mesh.points},
+        {"deflection", mesh.deflection}, {"needles_removed", mesh.needles},
+        {"open_edges", mesh.open_edges}, {"faces_left_out", json_of_left_out(mesh.left_out)}};
     outcome.verdict += fmt::format(", {} triangles", mesh.triangles);
     const double wanted = options.mesh.deflection.value_or(mesh.deflection);
     if (mesh.deflection > wanted) {
@@ -86,6 +112,13 @@ void tell_mesh(const io::MeshFacts& mesh, const ConvertOptions& options, Outcome
             ", with a deflection of {} mm: OCCT could not mesh all faces "
             "with {} mm",
             short_number(mesh.deflection), short_number(wanted));
+    }
+    outcome.verdict += text_of_left_out(mesh.left_out);
+    if (std::ranges::any_of(mesh.left_out, &io::UnmeshedFace::area)) {
+        outcome.next =
+            "next: try another --deflection; `suture check` says what is wrong with the face";
+        outcome.exit_code = kOutOfTolerance;
+        return;
     }
     if (mesh.open_edges == 0) {
         return;

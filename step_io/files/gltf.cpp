@@ -11,6 +11,7 @@
 #include <filesystem>
 #include <fstream>
 #include <system_error>
+#include <tuple>
 
 namespace suture::io {
 
@@ -22,7 +23,8 @@ namespace fs = std::filesystem;
 class Triangulated {
   public:
     Triangulated(TopoDS_Shape shape, const MeshOptions& options) : shape_(std::move(shape)) {
-        triangulate(shape_, options.deflection, options.angular_deflection);
+        // make_mesh has told of faces that have none.
+        std::ignore = triangulate(shape_, options.deflection, options.angular_deflection);
     }
     ~Triangulated() { BRepTools::Clean(shape_); }
     Triangulated(const Triangulated&) = delete;

@@ -6,9 +6,7 @@
 #include "suture/occ/topology.h"
 
 #include <BRepBuilderAPI_Copy.hxx>
-#include <BRepMesh_IncrementalMesh.hxx>
 #include <BRep_Tool.hxx>
-#include <IMeshTools_Parameters.hxx>
 #include <Poly_PolygonOnTriangulation.hxx>
 #include <Poly_Triangulation.hxx>
 #include <TopExp.hxx>
@@ -67,7 +65,7 @@ class MeshSewer {
         TopLoc_Location location;
         const occ::Handle<Poly_Triangulation> grid = BRep_Tool::Triangulation(face, location);
         if (grid.IsNull() || grid->NbTriangles() == 0) {
-            return fail(ErrorCode::Internal, "face {} could not be meshed", numbers_.of(face));
+            return {};  // triangulate tells of it
         }
         const std::uint32_t first = sets_.add(grid->NbNodes());
         const gp_Trsf move = location.Transformation();
@@ -215,15 +213,17 @@ Result<Mesh> sew_mesh(const TopoDS_Shape& shape) {
     return sewer.mesh();
 }
 
-}  // namespace
-
-namespace {
-
-/// All faces with one deflection, so that those that share an edge share its points.
 Result<Mesh> mesh_once(const TopoDS_Shape& shape, double deflection, double angle) {
     const TopoDS_Shape copy = BRepBuilderAPI_Copy(shape, false, false).Shape();
-    triangulate(copy, deflection, angle);
-    return sew_mesh(copy);
+    std::vector<UnmeshedFace> left_out = triangulate(copy, deflection, angle);
+    return sew_mesh(copy).map([&](Mesh&& mesh) {
+        mesh.facts.left_out = std::move(left_out);
+        return std::move(mesh);
+    });
+}
+
+bool is_complete(const Mesh& mesh) {
+    return std::ranges::none_of(mesh.facts.left_out, &UnmeshedFace::area);
 }
 
 /// Flatter triangles are no triangles any more once a file has their points with single precision.
@@ -239,15 +239,6 @@ double least_height(const Mesh& mesh) {
 
 }  // namespace
 
-void triangulate(const TopoDS_Shape& shape, double deflection, double angle) {
-    IMeshTools_Parameters parameters;
-    parameters.Deflection = deflection;
-    parameters.Angle = angle;
-    parameters.InParallel = true;
-    parameters.AllowQualityDecrease = true;
-    const BRepMesh_IncrementalMesh mesher(shape, parameters);
-}
-
 double usual_deflection(const TopoDS_Shape& shape) {
     return kRelativeDeflection * occ::diagonal(shape);
 }
@@ -256,25 +247,30 @@ Result<Mesh> make_mesh(const TopoDS_Shape& shape, const MeshOptions& options) {
     return occ::guarded("meshing", [&]() -> Result<Mesh> {
         const double wanted =
             options.deflection > 0.0 ? options.deflection : usual_deflection(shape);
-        // OCCT fails on a face with one deflection and not with another. Other points on its
-        // edges are other points on its neighbours' too, and so on: all of it is meshed again.
-        std::optional<Error> first_error;
-        for (const double factor : {1.0, 0.5, 2.0, 0.25, 4.0, 0.1}) {
-            Result<Mesh> mesh = mesh_once(shape, factor * wanted, options.angular_deflection);
-            if (mesh) {
-                const int needles = remove_needles(*mesh, least_height(*mesh));
-                mesh->facts = {factor * wanted, needles, count_open_edges(*mesh),
-                               mesh->triangles.size(), mesh->points.size()};
-                return mesh;
+        // Coarser points of one face's edges are coarser in its neighbours too, and so on: all is.
+        Result<Mesh> best = mesh_once(shape, wanted, options.angular_deflection);
+        double deflection = wanted;
+        for (const double factor : {2.0, 4.0}) {
+            if (best && is_complete(*best)) {
+                break;
             }
-            if (!first_error) {
-                first_error = mesh.error();
+            Result<Mesh> other = mesh_once(shape, factor * wanted, options.angular_deflection);
+            if (other && (!best || is_complete(*other))) {
+                best = std::move(other);
+                deflection = factor * wanted;
             }
         }
-        return fail(ErrorCode::Internal,
-                    "{}, not even with deflections from {:.3g} to {:.3g} mm: give another one with "
-                    "--deflection, or see with `suture check` whether the face is valid",
-                    first_error->message, 0.1 * wanted, 4.0 * wanted);
+        if (!best) {
+            return best;
+        }
+        MeshFacts& facts = best->facts;
+        facts.deflection = deflection;
+        facts.needles = remove_back_to_back(*best);
+        facts.needles += remove_needles(*best, least_height(*best));
+        facts.open_edges = count_open_edges(*best);
+        facts.triangles = best->triangles.size();
+        facts.points = best->points.size();
+        return best;
     });
 }
 

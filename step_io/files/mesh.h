@@ -1,5 +1,6 @@
 #pragma once
 
+#include "files/mesh_faces.h"
 #include "suture/base/result.h"
 
 #include <TopoDS_Shape.hxx>
@@ -20,10 +21,11 @@ struct MeshOptions {
 /// What is to be said of a mesh.
 struct MeshFacts {
     double deflection = 0.0;     ///< with which it was made
-    int needles = 0;             ///< triangles without height that were taken out
+    int needles = 0;             ///< triangles without height, or back to back, that were taken out
     std::size_t open_edges = 0;  ///< edges of triangles with no triangle beyond: 0 if it is closed
     std::size_t triangles = 0;
     std::size_t points = 0;
+    std::vector<UnmeshedFace> left_out;  ///< faces that have no triangles
 };
 
 /// Triangles over shared points. Where two faces share an edge they share its points too, so the
@@ -37,17 +39,14 @@ struct Mesh {
 
 /// Meshes a copy of the shape, all faces in parallel; the shape itself is left without triangles.
 /// Solids that are inside out are turned, needles are taken out (remove_needles). Where OCCT cannot
-/// mesh a face, all is meshed once more, finer and coarser by up to ten times.
+/// mesh a face, it is meshed finer (triangulate), then all is, coarser; what is still without
+/// triangles is left out and stands in the facts.
 ///
-/// Refuses  (Internal) a face that OCCT cannot mesh with any of these, by its number.
+/// Refuses  (Internal) edges whose points do not agree.
 [[nodiscard]] Result<Mesh> make_mesh(const TopoDS_Shape& shape, const MeshOptions& options);
 
 /// The deflection that is used where none is asked for: a thousandth of the diagonal.
 [[nodiscard]] double usual_deflection(const TopoDS_Shape& shape);
-
-/// Has OCCT mesh the shape itself, all faces with one deflection, so that those that share an edge
-/// share its points.
-void triangulate(const TopoDS_Shape& shape, double deflection, double angle);
 
 /// A mesh as a file. Lengths are millimetres.
 [[nodiscard]] Result<void> write_stl(const Mesh& mesh, std::ostream& stream);

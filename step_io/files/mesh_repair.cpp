@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <map>
 #include <optional>
 #include <unordered_map>
 
@@ -214,6 +215,33 @@ int remove_needles(Mesh& mesh, double height) {
     }
     tidy(mesh);
     return before - after;
+}
+
+int remove_back_to_back(Mesh& mesh) {
+    // By its corners from the smallest on; turned round, the last two change places.
+    const auto from_smallest = [](Corners corners) {
+        std::ranges::rotate(corners, std::ranges::min_element(corners));
+        return corners;
+    };
+    std::map<Corners, std::vector<std::uint32_t>> places;
+    for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+        places[from_smallest(mesh.triangles[t])].push_back(t);
+    }
+    int removed = 0;
+    for (const auto& [corners, here] : places) {
+        const auto there = places.find({corners[0], corners[2], corners[1]});
+        if (corners[1] > corners[2] || there == places.end() || here.size() != 1 ||
+            there->second.size() != 1 ||
+            (!mesh.faces.empty() && mesh.faces[here[0]] == mesh.faces[there->second[0]])) {
+            continue;
+        }
+        mesh.triangles[here[0]] = mesh.triangles[there->second[0]] = {};
+        removed += 2;
+    }
+    if (removed > 0) {
+        tidy(mesh);
+    }
+    return removed;
 }
 
 std::size_t count_open_edges(const Mesh& mesh) {

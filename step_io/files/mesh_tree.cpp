@@ -84,6 +84,9 @@ class TreeMesher {
             return fail(mesh.error().code, "part '{}': {}", object.name, mesh.error().message);
         }
         object.mesh = std::move(*mesh);
+        for (UnmeshedFace& face : object.mesh.facts.left_out) {
+            face.part = object.name;
+        }
         const std::vector<int> of_face = colours_of_faces(part, colour, shape);
         if (std::ranges::any_of(of_face, [](int one) { return one != kNone; })) {
             for (const std::uint32_t face : object.mesh.faces) {
@@ -168,6 +171,7 @@ MeshFacts facts_of(const MeshTree& tree) {
         facts.open_edges += own.open_edges;
         facts.triangles += own.triangles;
         facts.points += own.points;
+        facts.left_out.insert(facts.left_out.end(), own.left_out.begin(), own.left_out.end());
     }
     return facts;
 }

@@ -10,8 +10,8 @@
 #include <iterator>
 #include <optional>
 
-// Written by hand: OCCT writes OBJ from 7.7 on only, and lib3mf has one interface in Debian 12
-// (1.8) and another in Debian 13 (2.x), both of which run this program.
+// Written by hand, for points with all digits that faces share: docs/openscad.md has what lib3mf
+// and OCCT's RWObj make of them.
 
 namespace suture::io {
 

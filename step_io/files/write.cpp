@@ -9,6 +9,8 @@
 #include "files/write_step.h"
 #include "suture/occ/guard.h"
 
+#include <algorithm>
+
 namespace suture::io {
 
 namespace {
@@ -61,6 +63,28 @@ Result<MeshFacts> write_mesh_content(const ModelFile& model, const std::filesyst
     });
 }
 
+/// A mesh of nothing is none.
+Result<MeshFacts> expect_triangles(MeshFacts&& facts) {
+    if (facts.triangles > 0) {
+        return std::move(facts);
+    }
+    return facts.left_out.empty()
+               ? fail(ErrorCode::WriteFailed,
+                      "the model has no face, of which a mesh could be made")
+               : fail(ErrorCode::WriteFailed, "no face of the model can be meshed: {}",
+                      text_of(facts.left_out.front()));
+}
+
+/// Of those who are not told, nothing may be missing.
+Result<void> expect_all_faces(const MeshFacts& facts) {
+    const auto missing = std::ranges::find_if(facts.left_out, &UnmeshedFace::area);
+    return missing == facts.left_out.end()
+               ? Result<void>()
+               : fail(ErrorCode::WriteFailed,
+                      "{}; write STEP: `suture convert` makes a mesh of it without that face",
+                      text_of(*missing));
+}
+
 Result<void> write_content(const ModelFile& model, const std::filesystem::path& file, Format format,
                            const MeshOptions& options, std::ostream& stream) {
     switch (format) {
@@ -74,7 +98,8 @@ Result<void> write_content(const ModelFile& model, const std::filesystem::path& 
             return write_brep_freecad(model.shape(), stream);
         default:
             return write_mesh_content(model, file, format, options, stream)
-                .map([](const MeshFacts&) {});
+                .and_then(expect_triangles)
+                .and_then(expect_all_faces);
     }
 }
 
@@ -125,7 +150,8 @@ Result<MeshFacts> write_mesh(const ModelFile& model, const std::filesystem::path
     const Result<void> done = write_atomically(file, [&](std::ostream& stream) {
         return occ::guarded("writing " + file.string(), [&]() -> Result<void> {
             return write_mesh_content(model, file, format, options, stream)
-                .map([&](const MeshFacts& told) { facts = told; });
+                .and_then(expect_triangles)
+                .map([&](MeshFacts&& told) { facts = std::move(told); });
         });
     });
     return done.map([&] { return facts; });

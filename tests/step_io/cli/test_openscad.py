@@ -48,6 +48,31 @@ class OpenScad(Case):
 
 
 class OpenMeshes(Case):
+    def test_a_face_that_cannot_be_meshed_is_named(self):
+        script = self.folder / "make.py"
+        script.write_text(f"""
+import sys
+sys.path.append("/usr/lib/freecad-python3/lib")
+import FreeCAD, Part
+crossed = Part.Face(Part.makePolygon([(0, 0, 0), (10, 10, 0), (10, 0, 0), (0, 10, 0), (0, 0, 0)]))
+Part.makeCompound([Part.makeBox(30, 20, 5), crossed]).exportBrep({str(self.folder / "both.brep")!r})
+""")
+        subprocess.run([sys.executable, script], check=True, capture_output=True, timeout=limit(100))
+        finished = self.expect(run("convert", self.folder / "both.brep", self.folder / "both.off", "--open-ok"),
+                               OUT_OF_TOLERANCE)
+        self.assertIn("12 triangles; WITHOUT 1 face: face 7 could not be meshed: its boundary crosses itself\n",
+                      finished.out)
+        self.assertTrue((self.folder / "both.off").exists())
+
+    @unittest.skipUnless(CAD.is_dir(), "no CAD files")
+    def test_faces_that_have_collapsed_to_a_line_are_told_and_no_loss(self):
+        wing = CAD / "files" / "simple_wing.stp"
+        finished = self.expect(run("convert", wing, self.folder / "wing.off", "--open-ok"), DONE)
+        self.assertIn("; 6 faces without area", finished.out)
+        mesh = self.expect(run("convert", wing, self.folder / "wing.3mf", "--open-ok", "--json"), DONE).json["mesh"]
+        self.assertEqual([face["face"] for face in mesh["faces_left_out"]], [1, 4, 5, 8, 9, 12])
+        self.assertEqual({(face["part"], face["has_area"]) for face in mesh["faces_left_out"]}, {("prodname", False)})
+
     def test_an_open_model_is_told(self):
         mesh = self.folder / "box.stl"
         finished = self.expect(run("convert", example("box_without_lid"), mesh), OUT_OF_TOLERANCE)
