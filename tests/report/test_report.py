@@ -371,6 +371,16 @@ class Holes(Report):
         browser.value("sutureReport.table.show(sutureReport.table.shown[0], false)")
         self.assertEqual(browser.value("document.querySelector('#holes tr[aria-selected=true]').dataset.hole"), "1")
 
+    def test_a_fill_marks_the_worst_points_of_its_new_face_alone(self):
+        suture("fill", FILES.parent / "reopened/R31_cyl9_basemount.open.step", "-o", self.folder / "filled.step",
+               "--report", self.page)
+        browser = self.browser()
+        browser.open(self.page)
+        near = "Array.from(sutureReport.scene.near).filter((near, row) => near === 1 && {}).length"
+        new = browser.value(near.format("sutureReport.scene.isNew(row)"))
+        self.assertGreater(browser.value(near.format("true")), new)
+        self.assertEqual(browser.value("sutureReport.view.markers.geometry.attributes.position.count"), new)
+
 
 class Tools(Report):
     def open(self, name="nist_ctc_05_asme1_rd.stp", *words):

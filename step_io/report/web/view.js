@@ -225,13 +225,15 @@ export class View {
 
   isCut(p) { return this.cutting && this.plane.normal.x * p.x + this.plane.normal.y * p.y + this.plane.normal.z * p.z + this.plane.constant < 0; }
 
+  /** The worst points; of a fill those of its new faces, as the old ones are not what it is about. */
   makeMarkers() {
+    const { newFaces } = this.data;
     const worst = [];
     for (let row = 0; row < this.data.rows && worst.length < WORST_POINTS; ++row) {
-      if (this.data.near[row] === 1) worst.push(this.data.at(row));
+      if (this.data.near[row] === 1 && (newFaces.size === 0 || this.data.isNew(row))) worst.push(this.data.at(row));
     }
     for (const knot of this.data.knots) {
-      if (this.data.isNearKnot(knot) && worst.length < WORST_POINTS) worst.push(knot.at);
+      if (this.data.isNearKnot(knot) && (newFaces.size === 0 || newFaces.has(knot.face)) && worst.length < WORST_POINTS) worst.push(knot.at);
     }
     const points = this.makePoints(worst, this.colours.near, 13);
     points.visible = worst.length > 0;
