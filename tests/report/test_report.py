@@ -455,6 +455,13 @@ class Tools(Report):
         segments = browser.value("sutureReport.view.hairs.children.map(c => c.geometry.instanceCount)")
         self.assertEqual(len(segments), 2)
         self.keep(browser, "report_deviation.png")
+        places = browser.value(
+            f"Array.from({pins}).filter(p => !p.hidden).map(p => p.getBoundingClientRect())"
+            ".map(b => [b.x + b.width / 2, b.y + b.height / 2])")
+        self.assertGreater(len(places), 0)
+        for i, (x, y) in enumerate(places):
+            for a, b in places[:i]:
+                self.assertFalse(abs(a - x) < 79 and abs(b - y) < 19, "two figures lie on each other")
         browser.key("d")
         self.assertEqual(browser.value(f"{pins}.length"), 0)
 

@@ -17,6 +17,7 @@ const DIRECTIONS = {
 };
 const WORST_POINTS = 20;
 const MOST_LABELS = 12; // of deviations
+const LABEL = [80, 20]; // pixels that a figure takes
 const MOST_TRACED = 400; // edges with hairs of deviation at once
 
 export class View {
@@ -333,12 +334,16 @@ export class View {
 
   placePins() {
     const p = new THREE.Vector3();
+    const figures = []; // that are shown, the worst first: what would lie on one of them is hidden
     for (const { at, element, kind } of this.pins) {
       p.set(...at);
       const cut = this.isCut(p);
       p.project(this.camera);
-      element.hidden = cut || p.z > 1 || Math.abs(p.x) > 1 || Math.abs(p.y) > 1 || (kind === 'deviation' && this.before);
-      element.style.transform = `translate(${((0.5 + p.x / 2) * this.width).toFixed(1)}px, ${((0.5 - p.y / 2) * this.height).toFixed(1)}px) translate(-50%, -50%)`;
+      const [x, y] = [(0.5 + p.x / 2) * this.width, (0.5 - p.y / 2) * this.height];
+      element.hidden = cut || p.z > 1 || Math.abs(p.x) > 1 || Math.abs(p.y) > 1
+        || (kind === 'deviation' && (this.before || figures.some(([a, b]) => Math.abs(a - x) < LABEL[0] && Math.abs(b - y) < LABEL[1])));
+      if (kind === 'deviation' && !element.hidden) figures.push([x, y]);
+      element.style.transform = `translate(${x.toFixed(1)}px, ${y.toFixed(1)}px) translate(-50%, -50%)`;
     }
   }
 
