@@ -10,7 +10,7 @@ from pathlib import Path
 
 SOURCE = Path(os.environ["SUTURE_SOURCE_DIR"])
 SCRIPT = SOURCE / "cmake/install_packages.sh"
-BASIC = ["dirname", "env", "grep", "readlink", "sed", "sh"]
+BASIC = ["dirname", "env", "grep", "readlink", "sed", "sh", "tr"]
 
 
 def listed(kinds):
