@@ -14,6 +14,7 @@ cmake -S . --preset release --log-level=NOTICE
 rm -rf "$out/ship"
 cmake --build "$out" --target suture describe bundle wheel source_archive
 (cd "$out" && cpack -G DEB --config CPackConfig.cmake)
+lintian --allow-root --fail-on error "$out"/ship/*.deb
 # Debian 13's, where that root can be made (docs/ship.md).
 [ -n "${SUTURE_NO_DEBIAN13-}" ] || { "$root/tests/debian13/run.sh" make && "$root/tests/debian13/run.sh" build &&
     "$root/tests/debian13/run.sh" deb; }

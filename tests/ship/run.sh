@@ -111,10 +111,13 @@ deb_in() {
     given man-db bash-completion
     chroot "$root" sh -c 'dpkg --get-selections | sort' >"$scratch/before"
     given /home/user/suture_*.deb
+    # The others take a gigabyte of FreeCAD and compilers: that apt finds all that they need is enough here.
+    chroot "$root" sh -euc 'apt-get -qq -s install --no-install-recommends /home/user/*.deb >/dev/null'
     as_user 'sh use_program.sh /usr/bin/suture
         zcat /usr/share/man/man1/suture-fill.1.gz | grep -q continuity
         grep -q -e --edge-continuity /usr/share/bash-completion/completions/suture'
-    chroot "$root" sh -euc 'apt-get -qq purge -y suture >/dev/null && apt-get -qq autoremove --purge -y >/dev/null'
+    chroot "$root" sh -euc 'apt="apt-get -qq -o Dpkg::Use-Pty=0"
+        $apt purge -y suture >/dev/null && $apt autoremove --purge -y >/dev/null'
     left=$(chroot "$root" find /usr /etc -name "*suture*")
     [ -z "$left" ] || { echo "removing left $left"; exit 1; }
     chroot "$root" sh -c 'dpkg --get-selections | sort' | diff "$scratch/before" - ||
