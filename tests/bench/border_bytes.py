@@ -2,7 +2,7 @@
 """Proves that `fill --boundary` with all edges of a hole, in random order, writes the file that
 `fill --hole` writes, to the byte: on every hole of the models in a folder.
 
-    border_bytes.py PROGRAM FOLDER [--only TEXT] [--seed N] [-- further words for `fill`]
+    border_bytes.py [--only TEXT] [--seed N] PROGRAM FOLDER [-- further words for `fill`]
 
 Exit code 1 if one differs, naming it.
 """

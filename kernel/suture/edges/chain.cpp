@@ -186,24 +186,43 @@ class Chain {
                         ends_.sides()[from.IsNull() ? a.side : b.side].edge_number);
         }
         BoundaryEdge curve;
-        curve.edge = connect_ends({from, leaving(a)}, {to, leaving(b)}, chosen_.tension);
+        curve.edge = connect_ends({from, leaving(a, ends_.point(b))},
+                                  {to, leaving(b, ends_.point(a))}, chosen_.tension);
         ends_.connect(a, b, curve);
         return {};
     }
 
-    /// The direction in which a curve leaves the end of a chosen edge: out of the sheet, along the
-    /// sheet's own border where that leads there; off a loose curve, straight on.
-    [[nodiscard]] Vector3d leaving(const ChainEnd& end) const {
+    /// The direction in which a curve leaves the end of a chosen edge for another point: out of the
+    /// sheet, along the sheet's own border where that leads there; on its support; off a loose
+    /// curve straight on, or, of a bridge, straight there.
+    [[nodiscard]] Vector3d leaving(const ChainEnd& end, const Vector3d& there) const {
         const BoundaryEdge& side = ends_.sides()[end.side];
         const double s = end.last ? 1.0 : 0.0;
-        const Vector3d along = walk_to(side.edge, s).second.normalized();
+        const auto [here, tangent] = walk_to(side.edge, s);
+        const Vector3d along = tangent.normalized();
+        if (const auto normal = support_normal(side.edge_number, here)) {
+            const Vector3d aside = normal->cross(along).normalized();
+            return aside.dot(there - here) < 0.0 ? Vector3d(-aside) : aside;
+        }
         if (side.face.IsNull()) {
-            return end.last ? along : Vector3d(-along);
+            return chosen_.two_sides ? Vector3d((there - here).normalized())
+                   : end.last        ? along
+                                     : Vector3d(-along);
         }
         const UseGeometry use(TopoDS::Edge(side.edge.Reversed()), side.face);
         const Vector3d inward = use.at(1.0 - s).normal.cross(along).normalized();
         const Vector3d border = border_at(side.edge_number, end.last);
         return border.dot(inward) > kLeadsOut ? border : inward;
+    }
+
+    /// The normal of an edge's support; none where there is none.
+    [[nodiscard]] std::optional<Vector3d> support_normal(int edge, const Vector3d& point) const {
+        const auto support = chosen_.supports.find(edge);
+        if (support == chosen_.supports.end() || support->second > numbering_.faces.Extent()) {
+            return std::nullopt;  // lean_on_supports says so
+        }
+        const TopoDS_Face face = TopoDS::Face(numbering_.faces(support->second));
+        return foot_of(point, BRep_Tool::Surface(face)).normal;
     }
 
     /// Where the next edge of the rim would go on beyond the corner.

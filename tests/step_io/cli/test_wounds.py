@@ -157,6 +157,26 @@ class Wounds(Case):
         self.assertEqual((out.faces, out.shells, out.valid), (3, 1, True))
         self.assertAlmostEqual(out.area, 2 * math.pi * 5 * 35, delta=1e-5)
 
+    def test_bridge_between_curves_is_ruled_and_leans_on_supports(self):
+        """Two lines that lie on plates, a step apart: straight across, or tangent to the plates."""
+        plates = [
+            wounds.sheet([(x, 0, z), (x + 10, 0, z), (x + 10, 8, z), (x, 8, z)]) for x, z in ((0, 0), (20, 5))
+        ]
+        lines = [Part.makeLine(V(x, 0, z), V(x, 8, z)) for x, z in ((8, 0), (22, 5))]
+        shape = Part.makeCompound([wounds.placed(s) for s in (*plates, *lines)])
+        file = wounds.save(shape, self.folder / "plates.step")
+        first, second = self.rim(file, lambda p: min(abs(p.x - 8), abs(p.x - 22)) < 1e-6)
+        ruled = 8 * math.hypot(14, 5)
+        _, out = self.run_on("bridge", file, "--no-sew", "--edges", f"{second},{first}")
+        self.assertAlmostEqual(out.area - 160, ruled, delta=1e-6)
+        document, out = self.run_on(
+            "bridge", file, "--no-sew", "--edges", f"{second},{first}", "--support", f"{first}=1,{second}=2"
+        )
+        self.assertEqual((out.faces, out.valid), (3, True))
+        self.assertGreater(out.area - 160, ruled + 0.1)
+        (hole,) = (h for h in document["holes"] if h["status"] == "filled")
+        self.assertLess(hole["max_angle_deg"], 0.01)
+
     def test_says_why_edges_make_no_bridge(self):
         file = self.plates([(0, 0, 0), (10, 0, 0), (10, 8, 0), (0, 8, 0)])
         self.assertIn("two chains", self.refused("bridge", file, "--edges", "1,2"))
