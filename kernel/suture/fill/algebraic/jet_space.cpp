@@ -51,7 +51,8 @@ MatrixXd multiples(const Polynomial<double>& plane, int k, int degree) {
     return columns;
 }
 
-/// All cells that join: (1), with (2) around each closed cycle.
+/// All cells that join: (1), with (2) around each closed cycle, which by Theorem 2.4 is all that
+/// an umbrella needs.
 MatrixXd joined_cells(const Partition& partition, const std::vector<Polynomial<double>>& planes,
                       int interface_k, int degree) {
     const Index block = monomial_count(degree);
@@ -91,7 +92,9 @@ RowVectorXd second_along(const MonomialJets& jets, const Vector3d& a) {
     return weights * jets.second;
 }
 
-/// What has to vanish at a point of a side, one row each.
+/// What has to vanish at a point of a side, one row each: g = alpha f + beta h^(k+1), Theorem 2.2,
+/// seen from the neighbour's derivatives up to order k, for any transversal h; what Definition 2.1
+/// calls rescaling continuity.
 MatrixXd conditions_at(const SideJet& at, int k, int degree) {
     const MonomialJets jets = monomial_jets(degree, at.point);
     MatrixXd rows(k + 1, monomial_count(degree));

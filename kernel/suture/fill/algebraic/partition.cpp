@@ -4,6 +4,7 @@
 
 namespace suture::algebraic {
 
+/// The cells of (4), for any number of sides.
 Partition umbrella(int sides) {
     SUTURE_EXPECTS(sides >= 3);
     Partition result;
@@ -17,6 +18,7 @@ Partition umbrella(int sides) {
     return result;
 }
 
+/// The cells between the planes of (5), for any number of sides.
 Partition with_inner_cells(int sides) {
     SUTURE_EXPECTS(sides >= 3);
     Partition result;

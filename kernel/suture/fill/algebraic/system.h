@@ -20,7 +20,8 @@ struct Side {
 ///   matrix x = 0 for x = (gamma_0, beta_0, gamma_1, ..., alpha_0, alpha_1, ...),
 /// and the polynomials g = image x that a solution stands for, cell after cell.
 ///
-/// Source  Chen, Chen, Deng, Feng 2000, section 3.2: g = gamma f + beta F^(k+1) at a side,
+/// Source  Chen, Chen, Deng, Feng 2000, section 3.2: g = gamma f + beta F^(k+1) at a side
+///         (Corollary 2.3; for three sides the system is (4)),
 ///         g_b = g_a + alpha pi^(k+1) at an interface.
 template <class T>
 struct System {

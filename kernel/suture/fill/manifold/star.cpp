@@ -22,6 +22,8 @@ int outer_layers(int k) {
     return (k + 1) / 2;
 }
 
+/// mu by (3), (4) and (5): it ends where the corners' blocks begin, runs on into them, and its
+/// derivatives from the second to the k-th vanish there.
 /// q_k of mu: even, q(1) = 0, q'(1) = 1, q''(1) = ... = q^(k)(1) = 0, from
 /// q' = C int_0^t (1 - s^2)^(k-1) ds. Coefficients of t^0, t^1, ...
 VectorXd bulge(int k) {
@@ -295,6 +297,7 @@ Vector2d Star::from_side(int m, const Vector2d& p) const {
 }
 
 Vector2d Star::chart_centre(int m, int i, int j) const {
+    // (1) and (2) in the corners' blocks, (6) between them: F takes all three to one grid.
     const auto middle = [&](const std::vector<double>& knots, int first) {
         const auto a = static_cast<std::size_t>(first + h());
         return odd() != 0 ? (knots[a] + knots[a + 1]) / 2.0 : knots[a];

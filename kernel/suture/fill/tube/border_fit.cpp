@@ -15,7 +15,8 @@ using Eigen::Vector3d;
 
 using Intervals = std::vector<double>;
 
-/// What a column holds: point, outward tangent, place in the plane.
+/// What a column holds: point, c of (8); outward tangent, d of (9); place in the plane. Theorem 1
+/// takes them at the corners alone, by (2), (3), (4), (5), (6) and (7).
 constexpr int kValues = 8;
 using Values = Eigen::Matrix<double, kValues, 1>;
 

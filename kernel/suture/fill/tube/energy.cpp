@@ -12,6 +12,7 @@ struct Term {
 };
 
 std::vector<Term> terms_of(Functional functional) {
+    // F1 is (24), F2 (25), F3 (26).
     std::vector<Term> terms = {{2, 0, 1.0}, {1, 1, 2.0}, {0, 2, 1.0}};
     if (functional == Functional::F2) {
         terms.push_back({1, 0, 1.0});

@@ -33,10 +33,12 @@ std::vector<double> knots_across(int layers) {
     return knots;
 }
 
+/// lambda T of (13) and (17), here of each column: Deviation, docs/methods/tube.md.
 Vector3d end_tangent(const Net& net, int column) {
     return (net.point(1, column) - net.point(0, column)) * (3.0 / net.first_step());
 }
 
+/// r(u, v) of (1).
 SurfaceJet evaluate(const Net& net, double u, int interval, double v) {
     constexpr int kOrders = 2;
     const int span = find_span(net.knots_u, kDegreeU, u);

@@ -102,6 +102,7 @@ Eigen::Matrix3Xd march(const std::vector<Piece>& pieces, const std::vector<doubl
     const bool closed = ends == Ends::Closed;
     const int m = line.count();
     Eigen::Matrix3Xd columns(3, m + 2);
+    // (10) for the rows of points, (11) for those of tangents, one after the other.
     for (int k = 0; k < m; ++k) {
         for (int j = 0; j < 3; ++j) {
             const auto [x, y] = line.inner_knots(k, j);
@@ -150,6 +151,8 @@ std::array<std::array<Vector3d, 3>, 2> closing_points(const Vector3d& pole, cons
                                                       const Vector3d& other,
                                                       const std::array<Vector3d, 3>& third) {
     std::array<std::array<Vector3d, 3>, 2> rows;
+    // Solves (12), (13), (14), (15), (16) and (17): (18), (19), (20) in row 0 and (21), (22), (23)
+    // in row 1, for j = 0, 1, 2.
     for (std::size_t j = 0; j < 3; ++j) {
         const Vector3d tangent = j < 2 ? first : Vector3d(2.0 * other - first);
         rows[0][j] = third[j] - 2.0 * tangent;
