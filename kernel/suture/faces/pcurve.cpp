@@ -1,6 +1,9 @@
 #include "suture/faces/pcurve.h"
 
+#include "suture/base/tolerance.h"
 #include "suture/occ/convert.h"
+
+#include <Eigen/LU>
 
 #include <Geom2dAPI_Interpolate.hxx>
 #include <Geom2d_BSplineCurve.hxx>
@@ -25,6 +28,9 @@ using Curve = std::function<Vector2d(double)>;
 
 constexpr int kFewestPoints = 9;
 constexpr int kMostPoints = 1025;
+
+/// Degrees of the curves without inner knots that are tried: OCCT and most readers take 25.
+constexpr int kDegrees[] = {3, 5, 7, 9, 11, 13};
 
 /// How far from unit speed a line may run and still be written as one: rounding only.
 constexpr double kUnitSpeed = 1e-12;
@@ -63,6 +69,43 @@ Handle<Geom2d_Curve> straight(const Curve& at, double first, double last) {
     return occ::make<Geom2d_BSplineCurve>(poles, knots, multiplicities, 1);
 }
 
+/// Bernstein's polynomials of a degree at x.
+Eigen::RowVectorXd bernstein(int degree, double x) {
+    Eigen::RowVectorXd values = Eigen::RowVectorXd::Zero(degree + 1);
+    values[0] = 1.0;
+    for (int n = 1; n <= degree; ++n) {
+        for (int i = n; i > 0; --i) {
+            values[i] = (1.0 - x) * values[i] + x * values[i - 1];
+        }
+        values[0] *= 1.0 - x;
+    }
+    return values;
+}
+
+/// One polynomial through both ends and the curve's points at Chebyshev's places between.
+Handle<Geom2d_Curve> polynomial(const Curve& at, double first, double last, int degree) {
+    Eigen::MatrixXd basis(degree + 1, degree + 1);
+    Eigen::MatrixX2d values(degree + 1, 2);
+    for (int k = 0; k <= degree; ++k) {
+        const double x = 0.5 - 0.5 * std::cos(kPi * k / degree);
+        basis.row(k) = bernstein(degree, x);
+        values.row(k) = at(first + (last - first) * x).transpose();
+    }
+    Eigen::MatrixX2d found = basis.partialPivLu().solve(values);
+    found.row(0) = values.row(0);
+    found.row(degree) = values.row(degree);
+    TColgp_Array1OfPnt2d poles(1, degree + 1);
+    for (int k = 0; k <= degree; ++k) {
+        poles.SetValue(k + 1, occ::to_point(Vector2d(found.row(k).transpose())));
+    }
+    TColStd_Array1OfReal knots(1, 2);
+    knots.SetValue(1, first);
+    knots.SetValue(2, last);
+    TColStd_Array1OfInteger multiplicities(1, 2);
+    multiplicities.Init(degree + 1);
+    return occ::make<Geom2d_BSplineCurve>(poles, knots, multiplicities, degree);
+}
+
 Handle<Geom2d_Curve> interpolated(const Curve& at, double first, double last, int points) {
     const Handle<TColgp_HArray1OfPnt2d> values = occ::make<TColgp_HArray1OfPnt2d>(1, points);
     const Handle<TColStd_HArray1OfReal> parameters = occ::make<TColStd_HArray1OfReal>(1, points);
@@ -91,17 +134,24 @@ Handle<Geom2d_Curve> interpolated(const Curve& at, double first, double last, in
 }  // namespace
 
 Handle<Geom2d_Curve> fit_pcurve(const Curve& at, double first, double last,
-                                const Geom_Surface& surface, double accuracy) {
+                                const Geom_Surface& surface, double accuracy, Pieces pieces) {
     Handle<Geom2d_Curve> best = straight(at, first, last);
     double best_distance = distance(at, *best, surface, first, last, kFewestPoints);
-    for (int points = kFewestPoints; best_distance > accuracy && points <= kMostPoints;
-         points = 2 * points - 1) {
-        const Handle<Geom2d_Curve> curve = interpolated(at, first, last, points);
-        const double d = distance(at, *curve, surface, first, last, points - 1);
+    const auto take = [&](const Handle<Geom2d_Curve>& curve, int intervals) {
+        const double d = distance(at, *curve, surface, first, last, intervals);
         if (d < best_distance) {
             best = curve;
             best_distance = d;
         }
+    };
+    for (const int degree : kDegrees) {
+        if (pieces == Pieces::Few && best_distance > accuracy) {
+            take(polynomial(at, first, last, degree), 4 * degree);
+        }
+    }
+    for (int points = kFewestPoints; best_distance > accuracy && points <= kMostPoints;
+         points = 2 * points - 1) {
+        take(interpolated(at, first, last, points), points - 1);
     }
     return best;
 }

@@ -15,8 +15,15 @@ namespace suture {
 /// well below any gap that is ever asked for, and above the rounding errors of an inversion.
 inline constexpr double kPcurveAccuracy = 1e-9;
 
-/// A curve on a surface as OCCT keeps it: a line where it is one, else an interpolating C2 cubic
-/// B-spline with as many points as the accuracy needs.
+/// How a pcurve that is no line is written.
+enum class Pieces {
+    Few,   ///< as one polynomial, where a degree up to 13 is near enough: few bytes in a file
+    Cubic  ///< in cubic pieces, into which knots are put easily
+};
+
+/// A curve on a surface as OCCT keeps it: a line where it is one, else one polynomial if that is
+/// asked for and near enough, else an interpolating C2 cubic B-spline with as many points as the
+/// accuracy needs.
 ///
 /// Input    at: (u, v) at the edge's parameter t in [first, last]; accuracy: largest distance in
 ///          space, model units.
@@ -24,6 +31,6 @@ inline constexpr double kPcurveAccuracy = 1e-9;
 ///          reached with kMostPoints points the best curve found; callers measure the distance.
 [[nodiscard]] occ::Handle<Geom2d_Curve> fit_pcurve(
     const std::function<Eigen::Vector2d(double t)>& at, double first, double last,
-    const Geom_Surface& surface, double accuracy);
+    const Geom_Surface& surface, double accuracy, Pieces pieces = Pieces::Cubic);
 
 }  // namespace suture

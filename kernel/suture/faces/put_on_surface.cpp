@@ -10,6 +10,7 @@
 #include <Geom2d_BSplineCurve.hxx>
 #include <Geom_Curve.hxx>
 #include <Geom_Plane.hxx>
+#include <Precision.hxx>
 #include <TopExp.hxx>
 #include <TopoDS.hxx>
 
@@ -122,7 +123,7 @@ struct Course {
     [[nodiscard]] Handle<Geom2d_Curve> laid(const Handle<Geom_Surface>& surface, const Trim& at,
                                             Ends ends, double accuracy) const {
         if (distance(*surface, at) <= accuracy) {
-            return fit_pcurve(at, first, last, *surface, accuracy);
+            return fit_pcurve(at, first, last, *surface, accuracy, Pieces::Few);
         }
         std::array<Eigen::Vector2d, 2> fixed{at(first), at(last)};
         if (ends == Ends::Feet) {
@@ -133,8 +134,10 @@ struct Course {
             }
         }
         const Trim feet = foot_points(curve, first, last, surface, at, fixed);
-        return fit_pcurve(feet, first, last, *surface,
-                          std::max(accuracy, kShareOfGap * distance(*surface, feet)));
+        // A gap that a file has to show is marked between knots: mark_gap.h.
+        const double gap = distance(*surface, feet);
+        return fit_pcurve(feet, first, last, *surface, std::max(accuracy, kShareOfGap * gap),
+                          gap > Precision::Confusion() ? Pieces::Cubic : Pieces::Few);
     }
 
     [[nodiscard]] Placement on(const Handle<Geom_Surface>& surface, const Trim& at, Ends ends,

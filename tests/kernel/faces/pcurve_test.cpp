@@ -49,6 +49,30 @@ TEST(FitPcurve, KeepsALineOfAnyOtherSpeedStraight) {
     EXPECT_LT(largest_distance(at, *spline, -3.0, 5.0), 1e-13);
 }
 
+TEST(FitPcurve, TakesOnePolynomialWhereFewPiecesAreAsked) {
+    for (const double size : {1e-3, 1.0, 1e3}) {
+        const Curve at = [size](double t) -> Vector2d {
+            return size * Vector2d(std::cos(t), std::exp(0.3 * t));
+        };
+        const auto few = occ::cast<Geom2d_BSplineCurve>(
+            fit_pcurve(at, 0.7, 2.2, *plane(), 1e-9 * size, Pieces::Few));
+        ASSERT_TRUE(few);
+        EXPECT_EQ(few->NbKnots(), 2);
+        EXPECT_LE(few->Degree(), 9);
+        EXPECT_LT(largest_distance(at, *few, 0.7, 2.2), 1e-9 * size);
+        EXPECT_EQ(few->Value(0.7).X(), at(0.7).x());
+        EXPECT_EQ(few->Value(2.2).Y(), at(2.2).y());
+        const auto cubic =
+            occ::cast<Geom2d_BSplineCurve>(fit_pcurve(at, 0.7, 2.2, *plane(), 1e-9 * size));
+        EXPECT_EQ(cubic->Degree(), 3);
+        EXPECT_GT(cubic->NbPoles(), 50);
+    }
+    // A kink is no polynomial's.
+    const Curve kink = [](double t) { return Vector2d(t, std::abs(t - 0.3)); };
+    const auto fitted = fit_pcurve(kink, 0.0, 2.0, *plane(), 1e-3, Pieces::Few);
+    EXPECT_LT(largest_distance(kink, *fitted, 0.0, 2.0), 5e-3);
+}
+
 TEST(FitPcurve, ReachesTheAccuracyAtEverySize) {
     for (const double size : {1e-3, 1.0, 1e3}) {
         for (const double accuracy : {1e-4, 1e-6, 1e-9}) {

@@ -4,6 +4,7 @@
 #include "suture/fill/extend/region.h"
 #include "suture/fill/extend/trace.h"
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -24,6 +25,9 @@ constexpr double kPoleDistance = radians(10.0);
 constexpr int kTries = 36;
 
 constexpr int kSamples = 32;
+
+/// A side that leaves a meridian or a circle of latitude by less than this, in radians, is one.
+constexpr double kOnLine = 1e-10;
 
 /// Directions from the centre to the sides, loop by loop, side by side.
 using Directions = std::vector<std::vector<std::vector<Vector3d>>>;
@@ -54,8 +58,26 @@ Vector3d middle_of(const std::vector<std::vector<Vector3d>>& sides) {
     return sum;
 }
 
+/// The axis of the circle in which a side lies, if it lies in one.
+Vector3d circle_axis(const std::vector<Vector3d>& side) {
+    Vector3d mean = Vector3d::Zero();
+    for (const Vector3d& d : side) {
+        mean += d / static_cast<double>(side.size());
+    }
+    Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
+    for (const Vector3d& d : side) {
+        spread += (d - mean) * (d - mean).transpose();
+    }
+    return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(spread).eigenvectors().col(0);
+}
+
 std::vector<Vector3d> axes_to_try(const Sphere& sphere, const Directions& directions) {
     std::vector<Vector3d> axes = {sphere.frame.z};
+    for (const auto& loop : directions) {
+        for (const auto& side : loop) {
+            axes.push_back(circle_axis(side));
+        }
+    }
     Vector3d all = Vector3d::Zero();
     std::vector<Vector3d> middles;
     for (const auto& loop : directions) {
@@ -96,6 +118,25 @@ Frame with_axis(const Frame& own, const Vector3d& z) {
     return frame;
 }
 
+/// Whether a side is a line of the domain: files hold it in a few bytes, and readers exactly.
+bool is_line(const Frame& frame, const std::vector<Vector3d>& side) {
+    const Vector3d mid = side[side.size() / 2];
+    const Vector3d across = frame.z.cross(mid).normalized();
+    double leaves_meridian = 0.0;
+    double leaves_latitude = 0.0;
+    for (const Vector3d& d : side) {
+        leaves_meridian = std::max(leaves_meridian, std::abs(across.dot(d)));
+        leaves_latitude = std::max(leaves_latitude, std::abs((d - mid).dot(frame.z)));
+    }
+    return std::min(leaves_meridian, leaves_latitude) < kOnLine;
+}
+
+bool all_lines(const Frame& frame, const Directions& directions) {
+    return std::ranges::all_of(directions, [&](const auto& loop) {
+        return std::ranges::all_of(loop, [&](const auto& side) { return is_line(frame, side); });
+    });
+}
+
 /// How good a frame is; nothing: the hole cannot be written in it.
 std::optional<double> worth(const Chart& chart, const Directions& directions, bool reversed) {
     const Frame& frame = std::get<Sphere>(chart.surface).frame;
@@ -117,7 +158,11 @@ std::optional<double> worth(const Chart& chart, const Directions& directions, bo
     if (!region) {
         return std::nullopt;
     }
-    // First enough distance, then the simplest region, then more distance.
+    // A disc of lines may have a pole in its corner, as CAD systems have it. Else first enough
+    // distance, then the simplest region, then more distance.
+    if (region->kind == Region::Kind::Disc && all_lines(frame, directions)) {
+        return 200.0;
+    }
     const double enough = std::min(distance / kPoleDistance, 1.0);
     return 100.0 * enough - static_cast<double>(region->kind) + 0.1 * distance;
 }
