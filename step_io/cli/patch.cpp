@@ -7,14 +7,18 @@
 #include "suture/base/tolerance.h"
 #include "suture/faces/make_shell.h"
 #include "suture/fill/manifold/cells.h"
+#include "suture/fill/manifold/fold.h"
 #include "suture/fill/manifold/layout.h"
 #include "suture/fill/manifold/make_middle.h"
 #include "suture/fill/manifold/star_mesh.h"
+
+#include <Eigen/SVD>
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <vector>
 
 namespace suture::cli {
@@ -37,7 +41,7 @@ constexpr CommandHelp kHelp{
 struct PatchOptions {
     std::filesystem::path output;
     int k = 2;
-    double aperture = 0.0;
+    std::optional<double> aperture;
     double tolerance = 1e-6;  ///< relative to the diameter
     bool exact = false;
     bool quads = false;
@@ -54,8 +58,8 @@ Result<void> validate(Command& command, PatchOptions& options) {
     if (options.k < 0 || options.k > 4) {
         return fail(ErrorCode::Usage, "--k is 0 to 4, not {}", options.k);
     }
-    if (options.aperture != 0.0) {
-        if (auto positive = expect_positive("--aperture", options.aperture); !positive) {
+    if (options.aperture) {
+        if (auto positive = expect_positive("--aperture", *options.aperture); !positive) {
             return positive;
         }
     }
@@ -68,6 +72,43 @@ Result<void> validate(Command& command, PatchOptions& options) {
     return expect_writable("-o", options.output, command.input, force_of(options.force));
 }
 
+/// Whether a mesh spans a surface at all: else all its vertices lie in a point or on a line.
+Result<void> expect_area(const Command& command, const Eigen::Matrix3Xd& vertices) {
+    const Eigen::Matrix3Xd about = vertices.colwise() - vertices.rowwise().mean();
+    const Eigen::Vector3d extents = Eigen::JacobiSVD<Eigen::Matrix3Xd>(about).singularValues();
+    constexpr double kNone = 1e-9;
+    if (!(extents[0] > 0.0)) {
+        return fail(ErrorCode::Unreadable, "{}: all {} vertices lie in one point",
+                    command.input.string(), vertices.cols());
+    }
+    if (extents[1] <= kNone * extents[0]) {
+        return fail(ErrorCode::Unreadable, "{}: all {} vertices lie on one line",
+                    command.input.string(), vertices.cols());
+    }
+    return {};
+}
+
+/// Why a patch is not as it should be; empty: it is.
+std::vector<std::string> reasons_of(const MadeMiddle& middle, double tolerance,
+                                    const std::optional<Fold>& fold, const Validity& validity) {
+    std::vector<std::string> reasons;
+    if (fold) {
+        reasons.push_back(fmt::format(
+            "the surface folds at ({:.6g}, {:.6g}, {:.6g}): its normal turns by {:.0f} deg from "
+            "one sample to the next",
+            fold->at.x(), fold->at.y(), fold->at.z(), degrees(fold->angle)));
+    }
+    if (middle.error > tolerance) {
+        reasons.push_back(
+            fmt::format("the middle is {:.2g} off, above {:.2g}", middle.error, tolerance));
+    }
+    if (!validity.valid) {
+        reasons.push_back(validity.problems.empty() ? "the shape is not valid"
+                                                    : "not valid: " + validity.problems.front());
+    }
+    return reasons;
+}
+
 Result<Outcome> patch(Run& run, const Command& command, const PatchOptions& options) {
     Progress progress = run.stage(Stage::Reading, "reading", 0.0, 0.1);
     auto mesh = io::read_obj(command.input);
@@ -76,12 +117,15 @@ Result<Outcome> patch(Run& run, const Command& command, const PatchOptions& opti
     }
     const double diameter =
         (mesh->vertices.rowwise().maxCoeff() - mesh->vertices.rowwise().minCoeff()).norm();
+    if (auto spans = expect_area(command, mesh->vertices); !spans) {
+        return tl::unexpected(spans.error());
+    }
     const auto star_mesh = recognise_star(std::move(*mesh));
     if (!star_mesh) {
         return fail(ErrorCode::Unreadable, "{}: {}", command.input.string(),
                     star_mesh.error().message);
     }
-    const auto star = Star::make(star_mesh->size(options.k, options.aperture));
+    const auto star = Star::make(star_mesh->size(options.k, options.aperture.value_or(0.0)));
     if (!star) {
         return fail(ErrorCode::Unreadable, "{}: {}", command.input.string(), star.error().message);
     }
@@ -105,15 +149,21 @@ Result<Outcome> patch(Run& run, const Command& command, const PatchOptions& opti
     if (!written) {
         return tl::unexpected(written.error());
     }
-    const bool fitted = middle->error <= options.tolerance * diameter;
+    // With k = 0 kinks are as they should be, and look like folds.
+    const auto fold = options.k > 0 ? find_fold(surface) : std::nullopt;
+    const std::vector<std::string> reasons =
+        reasons_of(*middle, options.tolerance * diameter, fold, written->validity);
     Outcome outcome;
-    outcome.exit_code = fitted && written->validity.valid ? kDone : kOutOfTolerance;
+    outcome.exit_code = reasons.empty() ? kDone : kOutOfTolerance;
     outcome.verdict = fmt::format(
         "wrote {}: {} sides, {} layers, k = {}, aperture {:.4g}; {}; {}, largest gap {:.3g}, angle "
         "{:.3g} deg",
         options.output.string(), star->n(), star->layers(), star->k(), star->aperture(),
         middle->note, counted(written->validity.faces, "face"), written->max_gap,
         degrees(written->max_angle));
+    for (const std::string& reason : reasons) {
+        outcome.verdict += "; " + reason;
+    }
     outcome.document = {{"output", options.output.string()},
                         {"output_format", io::to_string(options.format)},
                         {"sides", star->n()},
@@ -125,6 +175,7 @@ Result<Outcome> patch(Run& run, const Command& command, const PatchOptions& opti
                         {"exact", middle->exact},
                         {"spans", middle->spans},
                         {"fit_error", middle->error},
+                        {"reasons", reasons},
                         {"seconds", seconds}};
     outcome.document.update(json_of(*written));
     return outcome;

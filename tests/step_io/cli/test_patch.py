@@ -93,6 +93,7 @@ class Patch(Case):
         quads = self.expect(run(*arguments, "--quads"), OUT_OF_TOLERANCE).json
         self.assertFalse(quads["exact"])
         self.assertEqual(quads["shape"]["faces"], 10)
+        self.assertRegex(quads["reasons"][0], "the middle is .* off, above")
         self.expect_refused(
             run("patch", mesh, "-o", out, "--force", "--k", "2", "--exact"), USAGE, "--exact"
         )
@@ -109,6 +110,23 @@ class Patch(Case):
         mesh.write_text("v 0 0 0\nf 1 2 3\n")
         self.expect_refused(run("patch", mesh, "-o", out), UNREADABLE, "line 2")
 
+    def test_a_mesh_without_area_is_told(self):
+        vertices, faces = star(5, 5, [2])
+        out = self.folder / "star.step"
+        for flat, word in (((0, 0, 0), "one point"), ((1, 0, 0), "one line")):
+            thin = [tuple(f * x for f, x in zip(flat, v)) for v in vertices]
+            mesh = write_obj(self.folder / "star.obj", thin, faces)
+            self.expect_refused(run("patch", mesh, "-o", out), UNREADABLE, word)
+
+    def test_a_mesh_that_folds_is_told(self):
+        vertices, faces = star(5, 5, [2])
+        mesh = write_obj(self.folder / "star.obj", [(x, abs(y), z) for x, y, z in vertices], faces)
+        out = self.folder / "star.step"
+        document = self.expect(
+            run("patch", mesh, "-o", out, "--tolerance", "0.1", "--json"), OUT_OF_TOLERANCE
+        ).json
+        self.assertIn("folds at (", document["reasons"][0])
+
     def test_too_few_layers_and_too_wide_apertures_are_refused(self):
         mesh = write_obj(self.folder / "star.obj", *star(5, 3, [1]))
         out = self.folder / "star.step"
@@ -116,6 +134,9 @@ class Patch(Case):
         mesh = write_obj(self.folder / "star.obj", *star(5, 4, [1]))
         self.expect_refused(
             run("patch", mesh, "-o", out, "--aperture", "2"), UNREADABLE, "aperture"
+        )
+        self.expect_refused(
+            run("patch", mesh, "-o", out, "--aperture", "0"), USAGE, "--aperture"
         )
         self.expect_refused(run("patch", mesh, "-o", out, "--k", "7"), USAGE, "--k")
         self.expect_refused(run("patch", mesh, "-o", out, "--tolerance=-1"), USAGE, "--tolerance")
