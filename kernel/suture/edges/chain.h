@@ -13,12 +13,12 @@ namespace suture {
 
 /// The edges that are to bound one new face, as a user names them: in any order and direction.
 struct ChosenBoundary {
-    std::vector<int> edges;       ///< EdgeN
-    double reach = 0.0;           ///< ends up to this far apart are one corner, model units
-    bool connect = false;         ///< wider gaps are bridged by curves
-    bool two_sides = false;       ///< the edges have to form two chains, or two closed loops
-    std::map<int, int> supports;  ///< EdgeN -> FaceN that it lies on
-    double tension = 1.0;         ///< length of the curves' end tangents, as a multiple of the gap
+    std::vector<int> edges;            ///< EdgeN
+    double reach = 0.0;                ///< ends up to this far apart are one corner, model units
+    bool connect = false;              ///< wider gaps are bridged by curves
+    bool two_sides = false;            ///< the edges have to form two chains, or two closed loops
+    std::map<int, int> supports = {};  ///< EdgeN -> FaceN that it lies on
+    double tension = 1.0;  ///< length of the curves' end tangents, as a multiple of the gap
 };
 
 /// Chains chosen edges to closed loops. An edge that one face uses is walked against its use, as in

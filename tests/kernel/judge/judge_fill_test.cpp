@@ -58,7 +58,8 @@ TEST(JudgeFill, CountsASideOnASupportAsSmoothThoughTheFaceEndsThere) {
     for (std::size_t i = 0; i < 3; ++i) {
         fill.asked.sides[i].alone = true;
         fill.measures.sides[i].faces = {1, 0};
-        fill.measures.open_edges.push_back({20 + static_cast<int>(i), 1e-7, {}});
+        fill.measures.open_edges.push_back(
+            {20 + static_cast<int>(i), 1e-7, Eigen::Vector3d::Zero()});
     }
     EXPECT_EQ(reached_by(fill.asked, fill.measures), Continuity::G0);
     fill.asked.sides[1].supported = true;

@@ -47,8 +47,12 @@ std::vector<BoundaryLoop> sides_of(const TopoDS_Shape& solid) {
                 continue;
             }
             BoundaryLoop loop;
-            loop.edges.push_back(
-                {TopoDS::Edge(edge.Reversed()), face, numbering.of(edge), numbering.of(face)});
+            loop.edges.push_back({TopoDS::Edge(edge.Reversed()),
+                                  face,
+                                  numbering.of(edge),
+                                  numbering.of(face),
+                                  {},
+                                  0});
             result.push_back(loop);
         }
     }
@@ -338,7 +342,8 @@ TEST(CornersOf, MeasuresAnglesInsideTheHoleAndNormalMismatch) {
                 while (!f.Current().IsSame(owner)) {
                     f.Next();
                 }
-                loop.edges.push_back({edge, TopoDS::Face(f.Current()), numbering.of(edge), 0});
+                loop.edges.push_back(
+                    {edge, TopoDS::Face(f.Current()), numbering.of(edge), 0, {}, 0});
             }
         }
     }
