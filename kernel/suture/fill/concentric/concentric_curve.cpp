@@ -33,6 +33,8 @@ std::pair<int, double> stop_before(const ConcentricCurve& curve, double s) {
     if (on_turn >= first + curve.period) {
         on_turn -= curve.period;
     }
+    // Rounding may put a whole number of turns just before the first stop.
+    on_turn = std::max(on_turn, first);
     const auto after =
         std::upper_bound(curve.stops.begin(), curve.stops.end(), on_turn,
                          [](double value, const Stop& stop) { return value < stop.from; });
@@ -51,6 +53,7 @@ int used_nodes(const ConcentricCurve& curve) {
     return static_cast<int>(used.size());
 }
 
+/// A piecewise linear B-spline of the concentric polygon: Definitions 2 and 3.
 Eigen::Vector2d evaluate(const ConcentricCurve& curve, double s) {
     const auto [k, at] = stop_before(curve, s);
     const Stop here = curve.stop(k);
