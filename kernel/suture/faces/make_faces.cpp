@@ -1,6 +1,7 @@
 #include "suture/faces/make_faces.h"
 
 #include "suture/faces/inner_edges.h"
+#include "suture/faces/own_form.h"
 #include "suture/faces/pcurve.h"
 #include "suture/faces/pole_edge.h"
 #include "suture/faces/put_on_surface.h"
@@ -91,6 +92,10 @@ class PlacedFaces::Maker {
           inner_(loops, result, accuracy_) {}
 
     [[nodiscard]] Result<void> lay_out(const Patch& patch) {
+        if (const auto own = own_form_of(patch, loops_, hole_)) {
+            lay_out_on(*own, patch);
+            return {};
+        }
         const auto surface = occ::to_occ(patch.surface);
         if (!surface) {
             return tl::unexpected(surface.error());
@@ -139,6 +144,28 @@ class PlacedFaces::Maker {
     }
 
   private:
+    /// On a neighbour's own surface, which has parameters of its own.
+    void lay_out_on(const OwnForm& own, const Patch& patch) {
+        Sheet& sheet = sheets_.emplace_back(Sheet{&patch, own.surface, Ends::Feet, {}});
+        for (const std::vector<EdgeUse>& uses : patch.wires) {
+            std::vector<Laid>& wire = sheet.wires.emplace_back();
+            for (const EdgeUse& use : uses) {
+                Laid& laid = wire.emplace_back(side(use));
+                const auto l = static_cast<std::size_t>(use.loop);
+                const auto i = static_cast<std::size_t>(use.index);
+                const Ribbon& ribbon = hole_.loops[l].ribbons[i];
+                laid.at = [first = ribbon.first, last = ribbon.last,
+                           uvs = own.trace[l][i]](double t) -> Eigen::Vector2d {
+                    const double s = std::clamp((t - first) / (last - first), 0.0, 1.0);
+                    const double place = s * (kTraced - 1);
+                    const auto k = std::min(static_cast<std::size_t>(place), uvs.size() - 2);
+                    const double share = place - static_cast<double>(k);
+                    return (1.0 - share) * uvs[k] + share * uvs[k + 1];
+                };
+            }
+        }
+    }
+
     const std::vector<BoundaryLoop>& loops_;
     const Hole& hole_;
     double accuracy_;

@@ -2,6 +2,7 @@
 
 #include "suture/choose/asked.h"
 #include "suture/choose/smoothest.h"
+#include "suture/faces/own_form.h"
 
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
@@ -19,11 +20,14 @@ double seconds_since(Clock::time_point start) {
     return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-PatchFacts facts_of(const Patch& patch) {
+PatchFacts facts_of(const Patch& patch, const std::optional<OwnForm>& own) {
     PatchFacts facts;
-    facts.kind = kind_name(patch.surface);
+    facts.kind = own ? own->kind : kind_name(patch.surface);
     facts.exact = patch.exact;
     facts.fit_error = patch.fit_error;
+    if (own) {
+        return facts;
+    }
     if (const auto* spline = std::get_if<SplineSurface>(&patch.surface)) {
         facts.degree_u = spline->degree_u;
         facts.degree_v = spline->degree_v;
@@ -32,6 +36,17 @@ PatchFacts facts_of(const Patch& patch) {
         facts.rational = spline->rational();
     }
     return facts;
+}
+
+/// Names the kind that the face has, not that of the method's copy of it.
+void rename_kind(const std::string& kind, Recognised& recognised, std::vector<std::string>& notes) {
+    const std::string before = "recognised: " + recognised.kind;
+    for (std::string& note : notes) {
+        if (note.starts_with(before)) {
+            note.replace(0, before.size(), "recognised: " + kind);
+        }
+    }
+    recognised.kind = kind;
 }
 
 /// What is in the report before anything is computed.
@@ -89,7 +104,11 @@ void take(Choice choice, const FillRequest& request, ComputedFill& computed) {
     report.reason = choice.reason;
     report.notes = choice.fill.notes;
     for (const Patch& patch : choice.fill.patches) {
-        report.patches.push_back(facts_of(patch));
+        const auto own = own_form_of(patch, computed.loops, computed.hole);
+        report.patches.push_back(facts_of(patch, own));
+        if (own && choice.recognised) {
+            rename_kind(own->kind, *choice.recognised, report.notes);
+        }
     }
     account_for(choice.fill, choice.recognised.has_value(), report.asked);
     set_figures(choice.measures, report);
