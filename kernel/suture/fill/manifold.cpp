@@ -61,7 +61,7 @@ struct Sizes {
 /// Raises the size until the border is within half of the tolerance: the other half is for what
 /// comes after.
 Result<Fitted> fit_sizes(const Hole& hole, const FillOptions& options, const Sides& sides,
-                         const Sizes& sizes,
+                         const Sizes& sizes, const GuideSurface* guide,
                          const std::function<Result<BorderModel>(int size)>& model) {
     constexpr double kEnough = 0.5;
     Tolerance limits = options.tolerance;
@@ -79,7 +79,7 @@ Result<Fitted> fit_sizes(const Hole& hole, const FillOptions& options, const Sid
         if (!border) {
             return tl::unexpected(border.error());
         }
-        auto fit = fit_border(*border, hole, sides, limits);
+        auto fit = fit_border(*border, hole, sides, limits, guide);
         if (fit) {
             const double score = std::max(fit->gap / limits.linear, fit->angle / limits.angular);
             if (!best || score < best_score) {
@@ -102,11 +102,21 @@ Result<Fitted> fit_sizes(const Hole& hole, const FillOptions& options, const Sid
 }
 
 std::string note_on(const Fitted& fitted, int layers, int k, std::string_view what) {
-    return fmt::format("k = {}, {}, {} layers; along the border gap {:.2g}, angle {:.2g} deg", k,
-                       what, layers, fitted.border.gap, degrees(fitted.border.angle));
+    std::string note =
+        fmt::format("k = {}, {}, {} layers; along the border gap {:.2g}, angle {:.2g} deg", k, what,
+                    layers, fitted.border.gap, degrees(fitted.border.angle));
+    if (fitted.border.from_guide >= 0.0) {
+        note +=
+            fmt::format("; {:.2g} from the surface of least variation", fitted.border.from_guide);
+    }
+    if (!fitted.border.left_guide.empty()) {
+        note += "; towards the surface of least variation " + fitted.border.left_guide;
+    }
+    return note;
 }
 
-Result<FillResult> fill_star(const Hole& hole, const FillOptions& options, const Sides& sides) {
+Result<FillResult> fill_star(const Hole& hole, const FillOptions& options, const Sides& sides,
+                             const GuideSurface* guide) {
     const int n = static_cast<int>(sides.sides.size());
     std::vector<std::vector<double>> joints;
     for (const Side& side : sides.sides) {
@@ -124,7 +134,7 @@ Result<FillResult> fill_star(const Hole& hole, const FillOptions& options, const
         sizes.first = sizes.most = *asked;
     }
     const auto fitted =
-        fit_sizes(hole, options, sides, sizes, [&](int layers) -> Result<BorderModel> {
+        fit_sizes(hole, options, sides, sizes, guide, [&](int layers) -> Result<BorderModel> {
             const Spacing spacing = spacing_of(layers);
             const auto star = Star::make(spacing.size);
             if (!star) {
@@ -198,7 +208,7 @@ Result<FillResult> fill_ring(const Hole& hole, const FillOptions& options, const
         sizes.first = sizes.most = kColumnsPerLayer * std::max(*asked, k + 2);
     }
     const auto fitted =
-        fit_sizes(hole, options, sides, sizes, [&](int columns) -> Result<BorderModel> {
+        fit_sizes(hole, options, sides, sizes, nullptr, [&](int columns) -> Result<BorderModel> {
             return ring_of(columns).border_model(hole.diameter);
         });
     if (!fitted) {
@@ -222,8 +232,22 @@ Result<FillResult> fill_manifold(const Hole& hole, const FillOptions& options) {
     if (!sides) {
         return tl::unexpected(sides.error());
     }
-    auto result = sides->ring ? fill_ring(hole, options, *sides) : fill_star(hole, options, *sides);
+    if (sides->ring) {
+        auto ring = fill_ring(hole, options, *sides);
+        if (ring) {
+            ring->notes.insert(ring->notes.begin(), sides->notes.begin(), sides->notes.end());
+        }
+        return ring;
+    }
+    const auto guide = guide_surface(hole, options);
+    if (!guide && guide.error().code == ErrorCode::Cancelled) {
+        return tl::unexpected(guide.error());
+    }
+    auto result = fill_star(hole, options, *sides, guide ? &*guide : nullptr);
     if (result) {
+        if (!guide) {
+            result->notes.push_back("without a guide: " + guide.error().message);
+        }
         result->notes.insert(result->notes.begin(), sides->notes.begin(), sides->notes.end());
     }
     return result;

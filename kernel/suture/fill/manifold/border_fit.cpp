@@ -3,6 +3,7 @@
 #include "suture/base/tolerance.h"
 #include "suture/fill/manifold/border_samples.h"
 #include "suture/fill/manifold/border_system.h"
+#include "suture/fill/manifold/convex_map.h"
 
 #include <Eigen/Geometry>
 
@@ -25,6 +26,11 @@ constexpr double kCurvatureWeight = 0.1;
 /// Where the surface folds, the cross derivative is held near that of a surface that does not,
 /// weakly against the angle.
 constexpr double kSenseWeights[] = {0.0, 1e-3, 1e-2, 1e-1, 0.3};
+/// Places on the guide count this much against the border, which has the last word by the method of
+/// multipliers; and the energy, which only settles what neither of them determines, this much.
+constexpr double kGuideWeight = 1e-4;
+constexpr double kGuidedEnergy = 1e-4;
+
 /// A cross derivative that falls below this share of its median is mended like a fold.
 constexpr double kEven = 0.1;
 
@@ -32,14 +38,11 @@ constexpr double kEven = 0.1;
 void add_sample(BorderSystem& system, const Sample& sample, double slope_weight,
                 const Matrix3Xd* before) {
     const RibbonPoint& w = sample.wanted;
-    for (int c = 0; c < 3; ++c) {
-        system.add(sample, Vector3d::Unit(c) * sample.row.weights.row(0), w.point[c],
-                   sample.weight);
-    }
+    system.add_point(sample.row, w.point, sample.weight);
     if (sample.ribbon->continuity < Continuity::G1) {
         return;
     }
-    system.add(sample, w.normal * sample.row.weights.row(1), 0.0,
+    system.add(sample.row, w.normal * sample.row.weights.row(1), 0.0,
                sample.weight * slope_weight * slope_weight);
     if (sample.ribbon->continuity < Continuity::G2 || before == nullptr) {
         return;
@@ -48,7 +51,7 @@ void add_sample(BorderSystem& system, const Sample& sample, double slope_weight,
     const Vector3d x = derivatives(sample, *before).col(1);
     const Vector3d slope = 2.0 * w.curvature * x;
     const double bend = kCurvatureWeight * slope_weight;
-    system.add(sample, w.normal * sample.row.weights.row(3) - slope * sample.row.weights.row(1),
+    system.add(sample.row, w.normal * sample.row.weights.row(3) - slope * sample.row.weights.row(1),
                -x.dot(w.curvature * x), sample.weight * bend * bend);
 }
 
@@ -120,12 +123,17 @@ class Fitter {
             add_sample(system, sample, slope_weight_, before);
             for (int c = 0; sense > 0.0 && c < 3; ++c) {
                 const double weight = sense * slope_weight_;
-                system.add(sample, Vector3d::Unit(c) * sample.row.weights.row(1),
+                system.add(sample.row, Vector3d::Unit(c) * sample.row.weights.row(1),
                            across_(c, static_cast<Eigen::Index>(i)),
                            sample.weight * weight * weight, BorderSystem::Kind::Wish);
             }
         }
-        auto points = system.solve(model_.energy);
+        for (std::size_t i = 0; i < inner_.size(); ++i) {
+            system.add_point(inner_[i], aims_[i], kGuideWeight / static_cast<double>(inner_.size()),
+                             BorderSystem::Kind::Wish);
+        }
+        auto points = inner_.empty() ? system.solve(model_.energy)
+                                     : system.solve(kGuidedEnergy * model_.energy);
         if (!points) {
             return tl::unexpected(points.error());
         }
@@ -145,7 +153,41 @@ class Fitter {
                 name_of(hole_.loops.front().ribbons[static_cast<std::size_t>(nearest)]),
                 degrees(fold->angle));
         }
+        for (std::size_t i = 0; i < inner_.size(); ++i) {
+            fit.from_guide =
+                std::max(fit.from_guide, (point_of(inner_[i], fit.points) - aims_[i]).norm());
+        }
         return fit;
+    }
+
+    /// Wishes each place to be where the guide has it from now on.
+    [[nodiscard]] Result<void> follow(const GuideSurface& guide) {
+        // Over a regular polygon: convex, so that neither map folds.
+        BorderSystem system(model_.points);
+        for (const Sample& sample : samples_) {
+            Vector3d at = Vector3d::Zero();
+            at.head<2>() = on_polygon(sample.side, sample.share);
+            system.add_point(sample.row, at, sample.weight);
+        }
+        const auto flat = system.solve(model_.membrane);
+        const auto region = region_of(guide);
+        if (!flat || !region) {
+            return tl::unexpected(flat ? region.error() : flat.error());
+        }
+        for (BorderRow& row : model_.inner()) {
+            const auto at = region->inverse(point_of(row, *flat).head<2>());
+            if (at) {
+                inner_.push_back(std::move(row));
+                aims_.push_back(evaluate(guide.surface, at->x(), at->y()).point);
+            }
+        }
+        return {};
+    }
+
+    /// Wishes nothing any more.
+    void leave_guide() {
+        inner_.clear();
+        aims_.clear();
     }
 
   private:
@@ -155,7 +197,53 @@ class Fitter {
     double slope_weight_;
     std::vector<Sample> samples_;
     std::vector<Sample> measured_;
-    Matrix3Xd across_;  ///< S_x at each sample as it should be, about
+    Matrix3Xd across_;              ///< S_x at each sample as it should be, about
+    std::vector<BorderRow> inner_;  ///< places inside, with a guide
+    std::vector<Vector3d> aims_;    ///< where they should be
+
+    /// A place on the border of the regular polygon of as many sides.
+    [[nodiscard]] Eigen::Vector2d on_polygon(std::size_t side, double share) const {
+        const auto count = static_cast<double>(sides_.sides.size());
+        const auto corner = [&](double number) {
+            const double angle = 2.0 * kPi * number / count;
+            return Eigen::Vector2d(std::cos(angle), std::sin(angle));
+        };
+        const auto m = static_cast<double>(side);
+        return (1.0 - share) * corner(m) + share * corner(m + 1.0);
+    }
+
+    /// From the guide's domain to the polygon.
+    [[nodiscard]] Result<ConvexMap> region_of(const GuideSurface& guide) const {
+        std::vector<Eigen::Vector2d> boundary;
+        std::vector<Eigen::Vector2d> images;
+        // Enough that those at the border are shorter than the knots' intervals.
+        constexpr int kAround = 768;
+        std::size_t pieces = 0;
+        for (const Side& side : sides_.sides) {
+            pieces += side.pieces.size();
+        }
+        const int segments = std::max(24, kAround / static_cast<int>(pieces));
+        for (std::size_t m = 0; m < sides_.sides.size(); ++m) {
+            for (const Piece& piece : sides_.sides[m].pieces) {
+                for (int k = 0; k < segments; ++k) {
+                    // Closer towards the ends, where corners may be.
+                    const double s = 0.5 * (1.0 - std::cos(kPi * k / segments));
+                    boundary.push_back(guide.trims[static_cast<std::size_t>(piece.ribbon)](s));
+                    images.push_back(
+                        on_polygon(m, piece.from + (piece.to - piece.from) * piece.along(s)));
+                }
+            }
+        }
+        return ConvexMap::make(boundary, images);
+    }
+
+    [[nodiscard]] static Vector3d point_of(const BorderRow& row, const Matrix3Xd& points) {
+        Vector3d sum = Vector3d::Zero();
+        for (std::size_t k = 0; k < row.points.size(); ++k) {
+            sum += row.weights(0, static_cast<Eigen::Index>(k)) * points.col(row.points[k]);
+        }
+        return sum;
+    }
 
     /// The cross derivatives of the membrane through the border, in the tangent planes; where it
     /// stands upright on these, and without a membrane, of even layers.
@@ -165,10 +253,7 @@ class Fitter {
         if (model_.membrane.size() > 0) {
             BorderSystem system(model_.points);
             for (const Sample& sample : samples_) {
-                for (int c = 0; c < 3; ++c) {
-                    system.add(sample, Vector3d::Unit(c) * sample.row.weights.row(0),
-                               sample.wanted.point[c], sample.weight);
-                }
+                system.add_point(sample.row, sample.wanted.point, sample.weight);
             }
             points = system.solve(model_.membrane, 1);
         }
@@ -211,19 +296,31 @@ class Fitter {
 }  // namespace
 
 Result<BorderFit> fit_border(const BorderModel& model, const Hole& hole, const Sides& sides,
-                             const Tolerance& limits) {
+                             const Tolerance& limits, const GuideSurface* guide) {
     Fitter fitter(model, hole, sides);
     Result<BorderFit> fit;
     double sense = 0.0;
-    for (const double weight : kSenseWeights) {
-        auto next = fitter.fit(weight, nullptr);
-        if (!fit || (next && next->evenness > fit->evenness) || fit->points.size() == 0) {
-            fit = std::move(next);
-            sense = weight;
+    std::string left_guide;
+    if (guide != nullptr) {
+        const auto follows = fitter.follow(*guide);
+        fit = follows ? fitter.fit(sense, nullptr) : tl::unexpected(follows.error());
+        left_guide = fit ? "" : fit.error().message;
+    }
+    if (!fit || fit->from_guide < 0.0) {
+        fitter.leave_guide();
+        for (const double weight : kSenseWeights) {
+            auto next = fitter.fit(weight, nullptr);
+            if (!fit || (next && next->evenness > fit->evenness) || fit->points.size() == 0) {
+                fit = std::move(next);
+                sense = weight;
+            }
+            if (fit && fit->evenness >= kEven) {
+                break;
+            }
         }
-        if (fit && fit->evenness >= kEven) {
-            break;
-        }
+    }
+    if (fit) {
+        fit->left_guide = left_guide;
     }
     if (!fit || !fitter.curved() || fit->gap > limits.linear || fit->angle > limits.angular) {
         return fit;
@@ -235,6 +332,7 @@ Result<BorderFit> fit_border(const BorderModel& model, const Hole& hole, const S
             return next;
         }
         fit = std::move(next);
+        fit->left_guide = left_guide;
     }
     return fit;
 }

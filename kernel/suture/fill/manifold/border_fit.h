@@ -3,6 +3,7 @@
 #include "suture/base/result.h"
 #include "suture/base/tolerance.h"
 #include "suture/fill/manifold/fold.h"
+#include "suture/fill/manifold/guide.h"
 #include "suture/fill/manifold/sides.h"
 #include "suture/model/ribbon.h"
 
@@ -11,6 +12,7 @@
 
 #include <functional>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace suture::manifold {
@@ -34,6 +36,8 @@ struct BorderModel {
     /// where a surface folds else; empty: it is `depth`.
     Eigen::SparseMatrix<double> membrane;
     std::function<BorderRow(int side, double y)> row;
+    /// Places all over the inside, closer than the knots: rows of S alone. Only with a guide.
+    std::function<std::vector<BorderRow>()> inner;
     std::function<std::optional<Fold>(const Eigen::Matrix3Xd& points)> fold;
 
     /// y on a side at a share of its length.
@@ -50,11 +54,17 @@ struct BorderFit {
     /// The least cross derivative outwards, as a share of its median on the same ribbon: near zero
     /// the surface almost folds.
     double evenness = 1.0;
+    /// Largest distance from the guide's point of the same parameters; negative: without a guide.
+    double from_guide = -1.0;
+    std::string left_guide;  ///< why it does not follow the guide that was given
 };
 
 /// Least squares over the border's samples
 ///     |S - c|^2 + (weight / depth)^2 ((n . S_x)^2 [+ (n . S_xx - II(S_x, S_x))^2])
 /// plus a small multiple of the net's energy. Linear but for G2, which takes Gauss-Newton steps.
+/// With a guide, what the border leaves open comes near that: the model's plane and the guide's
+/// domain are both laid onto a regular polygon by harmonic maps, and each place is wished to be
+/// where the guide is there. Where that folds, and without a guide, the energy alone decides.
 ///
 /// Input    the model has one side for each of `sides`, in the same order. limits: of gap and
 /// angle;
@@ -62,6 +72,7 @@ struct BorderFit {
 /// Refuses  a system that cannot be factorised; a border that faces the other way than the
 ///          neighbours; a surface that folds.
 [[nodiscard]] Result<BorderFit> fit_border(const BorderModel& model, const Hole& hole,
-                                           const Sides& sides, const Tolerance& limits);
+                                           const Sides& sides, const Tolerance& limits,
+                                           const GuideSurface* guide);
 
 }  // namespace suture::manifold

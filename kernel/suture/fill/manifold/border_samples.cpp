@@ -77,6 +77,8 @@ std::vector<Sample> samples_of(const BorderModel& model, const Hole& hole, const
                     Sample sample;
                     sample.row = model.row(side, model.y_of(side, piece, s));
                     sample.ribbon = &ribbon;
+                    sample.side = m;
+                    sample.share = piece.from + (piece.to - piece.from) * piece.along(s);
                     sample.wanted = ribbon.at(s);
                     sample.wanted.point = piece.meeting_point(sample.wanted.point, s);
                     samples.push_back(std::move(sample));

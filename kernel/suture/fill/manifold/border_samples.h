@@ -11,6 +11,8 @@ namespace suture::manifold {
 /// A sample of a ribbon and where it lies on the border.
 struct Sample {
     const Ribbon* ribbon = nullptr;
+    std::size_t side = 0;
+    double share = 0.0;  ///< of the side's length
     RibbonPoint wanted;
     BorderRow row;
     double weight = 0.0;

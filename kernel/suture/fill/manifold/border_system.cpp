@@ -16,20 +16,27 @@ constexpr double kEnergyWeight = 1e-9;
 
 }  // namespace
 
-void BorderSystem::add(const Sample& sample, const MatrixXd& gradient, double value, double weight,
+void BorderSystem::add(const BorderRow& at, const MatrixXd& gradient, double value, double weight,
                        Kind kind) {
     const double root = std::sqrt(weight);
     const auto row = static_cast<int>(values_.size());
-    for (std::size_t a = 0; a < sample.row.points.size(); ++a) {
+    for (std::size_t a = 0; a < at.points.size(); ++a) {
         for (int c = 0; c < 3; ++c) {
             const double x = root * gradient(c, static_cast<Eigen::Index>(a));
             if (x != 0.0) {
-                entries_.emplace_back(row, 3 * sample.row.points[a] + c, x);
+                entries_.emplace_back(row, 3 * at.points[a] + c, x);
             }
         }
     }
     values_.push_back(root * value);
     demanded_.push_back(kind == Kind::Demand ? 1.0 : 0.0);
+}
+
+void BorderSystem::add_point(const BorderRow& at, const Eigen::Vector3d& point, double weight,
+                             Kind kind) {
+    for (int c = 0; c < 3; ++c) {
+        add(at, Eigen::Vector3d::Unit(c) * at.weights.row(0), point[c], weight, kind);
+    }
 }
 
 Result<Matrix3Xd> BorderSystem::solve(const Eigen::SparseMatrix<double>& energy, int steps) const {

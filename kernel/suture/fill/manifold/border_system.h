@@ -17,8 +17,12 @@ class BorderSystem {
     enum class Kind { Demand, Wish };
 
     /// Adds the residual sum_k gradient_k . P_k - value.
-    void add(const Sample& sample, const Eigen::MatrixXd& gradient, double value, double weight,
+    void add(const BorderRow& row, const Eigen::MatrixXd& gradient, double value, double weight,
              Kind kind = Kind::Demand);
+
+    /// Asks for S itself at a place.
+    void add_point(const BorderRow& row, const Eigen::Vector3d& point, double weight,
+                   Kind kind = Kind::Demand);
 
     /// The least energy and the most wishes among the best approximations, by the method of
     /// multipliers: what is left of the residuals is added to the values and the same matrix

@@ -2,7 +2,10 @@
 
 #include "suture/fill/manifold/layout.h"
 #include "suture/fill/manifold/net_energy.h"
+#include "suture/fill/manifold/quad_map.h"
 #include "suture/spline/knots.h"
+
+#include <cmath>
 
 namespace suture::manifold {
 namespace {
@@ -27,6 +30,40 @@ BorderRow row_at(const Star& star, int m, double y) {
         }
     }
     return row;
+}
+
+/// Places in the middle and in the border zones, a few in every knot interval.
+std::vector<BorderRow> inner_rows(const Star& star) {
+    const QuadMap map(star);
+    std::vector<BorderRow> rows;
+    const auto add = [&](const Eigen::Vector2d& p) {
+        Shares shares = shares_at(star, p);
+        rows.push_back({std::move(shares.points), shares.weights});
+    };
+    constexpr double kPerSpan = 2.0;
+    const auto grid = [](double spans) { return static_cast<int>(std::ceil(kPerSpan * spans)); };
+    const double inner = star.inner();
+    const int middle = grid(inner + star.f_x());
+    for (int m = 0; m < star.n(); ++m) {
+        for (int i = 0; i < middle; ++i) {
+            for (int j = 0; j < middle; ++j) {
+                add(map.at(m, {(i + 0.5) / middle, (j + 0.5) / middle}));
+            }
+        }
+        const double wide = star.border(m) - inner;
+        const int across = grid(wide);
+        const int along = grid(star.charts_y(m));
+        for (int i = 0; i < across; ++i) {
+            const double s = (i + 0.5) / across;
+            const double low = (1.0 - s) * -map.reach() + s * lower_end(star, m);
+            const double high = (1.0 - s) * map.reach() + s * upper_end(star, m);
+            for (int j = 0; j < along; ++j) {
+                const double y = low + (high - low) * (j + 0.5) / along;
+                add(star.from_side(m, {inner + s * wide + star.mu(y), y}));
+            }
+        }
+    }
+    return rows;
 }
 
 }  // namespace
@@ -56,6 +93,7 @@ BorderModel border_model(const Star& star, double diameter, std::vector<double> 
     model.fold = [star](const Eigen::Matrix3Xd& points) {
         return find_fold(StarSurface(star, points));
     };
+    model.inner = [star] { return inner_rows(star); };
     model.row = [star](int m, double y) { return row_at(star, m, y); };
     return model;
 }

@@ -80,6 +80,44 @@ Eigen::MatrixXd taylor_basis(const std::vector<double>& knots, int degree, int s
 
 }  // namespace
 
+Shares shares_at(const Star& star, const Vector2d& p) {
+    const int degree = star.degree();
+    Shares shares;
+    std::vector<double> weights;
+    double sum = 0.0;
+    for (int m = 0; m < star.n(); ++m) {
+        const Vector2d local = star.to_side(m, p);
+        const double x = local.x() - star.mu(local.y());
+        const auto span_x = span_of(star.knots_x(m), x);
+        const auto span_y = span_of(star.knots_y(m), local.y());
+        if (!span_x || !span_y) {
+            continue;
+        }
+        std::array<double, kMaxDegree + 1> nx{};
+        std::array<double, kMaxDegree + 1> ny{};
+        basis(star.knots_x(m), degree, *span_x, x, nx.data());
+        basis(star.knots_y(m), degree, *span_y, local.y(), ny.data());
+        for (int j = std::max(0, *span_y - degree); j <= std::min(star.charts_y(m) - 1, *span_y);
+             ++j) {
+            for (int i = std::max(0, *span_x - degree); i <= std::min(star.charts_x() - 1, *span_x);
+                 ++i) {
+                if (!star.kept(m, i, j)) {
+                    continue;
+                }
+                const int point = star.point_of(m, i, j);
+                shares.points.push_back(point);
+                weights.push_back(star.weight(point) *
+                                  nx[static_cast<std::size_t>(i - *span_x + degree)] *
+                                  ny[static_cast<std::size_t>(j - *span_y + degree)]);
+                sum += weights.back();
+            }
+        }
+    }
+    shares.weights =
+        Eigen::RowVectorXd::Map(weights.data(), static_cast<Eigen::Index>(weights.size())) / sum;
+    return shares;
+}
+
 StarSurface::StarSurface(Star star, const Eigen::Matrix3Xd& points) : star_(std::move(star)) {
     move(points);
 }

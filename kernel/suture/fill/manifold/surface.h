@@ -9,6 +9,14 @@
 
 namespace suture::manifold {
 
+/// The control points that act at a point of X, and their shares w N / sum w N.
+struct Shares {
+    std::vector<int> points;
+    Eigen::RowVectorXd weights;
+};
+
+[[nodiscard]] Shares shares_at(const Star& star, const Eigen::Vector2d& p);
+
 /// The C^k surface S(p) = sum w N P / sum w N over a star with given control points.
 ///
 /// Source    section 6.1: one B-spline of homogeneous control points (w P, w) a side, zero where a

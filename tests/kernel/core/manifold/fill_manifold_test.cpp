@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <string>
 
 namespace suture {
@@ -123,6 +124,61 @@ TEST(FillManifold, MeetsTheCurvatureWhereItIsAskedTo) {
     EXPECT_LT(measure(g2, *curved).curvature, 2e-2);
     EXPECT_LT(measure(g2, *curved).angle_deg, 0.01);
     EXPECT_LT(measure(g2, *curved).curvature, 0.5 * measure(g1, *plain).curvature);
+}
+
+/// The largest of a function of the points of all patches, which cover no more than their domains.
+double largest(const FillResult& result, const std::function<double(const Vector3d&)>& f) {
+    double value = 0.0;
+    for (const Patch& patch : result.patches) {
+        // The corners of each outline and what lies between them.
+        std::vector<Vector2d> outline;
+        for (const EdgeUse& use : patch.wires.front()) {
+            for (const double s : {0.0, 0.5}) {
+                outline.push_back(use.at(use.backwards ? 1.0 - s : s));
+            }
+        }
+        for (const Vector2d& a : outline) {
+            for (const Vector2d& b : outline) {
+                const Vector2d uv = 0.7 * a + 0.3 * b;
+                value = std::max(value, f(evaluate(patch.surface, uv.x(), uv.y()).point));
+            }
+        }
+    }
+    return value;
+}
+
+TEST(FillManifold, GivesBackTheSphereBetweenEqualFillets) {
+    for (const double radius : {1e-3, 1.0, 1e3}) {
+        const Hole hole = zoo::suitcase_corner(radius);
+        const auto result = fill_manifold(hole, options_for(hole));
+        ASSERT_TRUE(result) << result.error().message;
+        EXPECT_LT(largest(*result,
+                          [&](const Vector3d& p) { return std::abs(p.norm() - radius) / radius; }),
+                  1e-3);
+    }
+}
+
+/// Half of a ring, whose middle lies outside of the hole: without a guide it bulges.
+TEST(FillManifold, StaysOnACylinderInABentHole) {
+    const auto arc = [](double radius, double from, double to) {
+        return [=](double s) {
+            const double angle = from + s * (to - from);
+            return std::pair<Vector2d, Vector2d>(
+                radius * Vector2d(std::cos(angle), std::sin(angle)),
+                radius * (to - from) * Vector2d(-std::sin(angle), std::cos(angle)));
+        };
+    };
+    const std::vector<zoo::Curve> sides = {
+        arc(0.9, 0.0, M_PI), zoo::polygon({{-0.9, 0.0}, {-0.5, 0.0}})[0], arc(0.5, M_PI, 0.0),
+        zoo::polygon({{0.5, 0.0}, {0.9, 0.0}})[0]};
+    const Hole hole = zoo::window(zoo::cylinder(1.0), sides);
+    FillOptions options = options_for(hole);
+    options.tolerance.angular = radians(0.1);
+    const auto result = fill_manifold(hole, options);
+    ASSERT_TRUE(result) << result.error().message;
+    EXPECT_LT(
+        largest(*result, [](const Vector3d& p) { return std::abs(p.head<2>().norm() - 1.0); }),
+        2e-3);
 }
 
 /// Straight lines that run on into a half circle: the curvature jumps at two joints.
