@@ -110,9 +110,9 @@ void points(std::string_view bytes) {
     const TemporaryFile file(bytes);
     const auto read = cli::read_points(file.path());
     expect_told(read);
-    for (const Eigen::Vector3d& point : read ? *read : std::vector<Eigen::Vector3d>{}) {
-        if (!point.allFinite()) {
-            broken("points are finite");
+    for (const ThroughPoint& point : read ? *read : std::vector<ThroughPoint>{}) {
+        if (!point.point.allFinite() || (point.normal && !point.normal->allFinite())) {
+            broken("points and normals are finite");
         }
     }
 }
@@ -157,7 +157,7 @@ std::vector<Target> reader_targets() {
         {"obj",
          obj,
          {"v 0 0 0\nv 1 0 0\nv 1 1 .5\nv 0 1 0\nf 1 2 3 4\n", "v 1 2 3 # c\nf -1 -1 -1"}},
-        {"points", points, {"x,y,z\n10,10,25\n20 20 24\n30;15;25\n# no point\n"}},
+        {"points", points, {"x,y,z\n10,10,25\n20 20 24\n30;15;25\n# no point\n", "1 2 3 0 0 1\n"}},
         {"profile",
          profile,
          {R"({"name": "a", "g0_mm": 0.01, "g1_deg": 0.1, "g2_percent": 5, "g2_by": "sum"})"}},
