@@ -120,7 +120,7 @@ Frame with_axis(const Frame& own, const Vector3d& z) {
 
 /// Whether a side is a line of the domain: files hold it in a few bytes, and readers exactly.
 bool is_line(const Frame& frame, const std::vector<Vector3d>& side) {
-    const Vector3d mid = side[side.size() / 2];
+    const Vector3d& mid = side[side.size() / 2];
     const Vector3d across = frame.z.cross(mid).normalized();
     double leaves_meridian = 0.0;
     double leaves_latitude = 0.0;
