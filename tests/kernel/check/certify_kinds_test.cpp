@@ -106,14 +106,29 @@ TEST(CertifyKinds, OffsetSurfacesThatMeetAPlaneSmoothly) {
 }
 
 TEST(CertifyKinds, AnOffsetSurfaceWithASlotBesideItsBorder) {
-    // 0.01 between the two, so that the nearest points lie on the offset surface's border.
+    // A slot of 0.01 between two plates that are equal along it: the nearest points lie on the
+    // offset surfaces' borders.
+    const double slot = 0.01;
     gp_Trsf apart;
-    apart.SetTranslation(gp_Vec(0, -0.01, 0));
+    apart.SetTranslation(gp_Vec(0, -2.0 - slot, 0));
     const occ::Handle<Geom_Surface> plate =
-        shapes::height_field(0, 3, 3, 4, [](int i, int j) { return 0.05 * i * i - 0.02 * j; });
-    const auto left = shapes::face_on(new Geom_OffsetSurface(plate, 0.4));
-    const TopoDS_Shape both = shapes::sewn({left, left.Moved(TopLoc_Location(apart))}, 1e-6);
-    expect_sound_and_tight(both, 0);
+        shapes::height_field(0, 3, 3, 4, [](int i, int) { return 0.05 * i * i; });
+    const auto plate_face = shapes::face_on(new Geom_OffsetSurface(plate, 0.4));
+    const TopoDS_Shape both = shapes::sewn(
+        {plate_face, BRepBuilderAPI_Transform(plate_face, apart, true).Shape()}, 3.0 * slot);
+    const std::vector<Certified> edges = certify_all(both);
+    ASSERT_EQ(edges.size(), 1);
+    const EdgeCertificate& certificate = edges[0].certificate;
+    ASSERT_TRUE(certificate.certified) << certificate.reason;
+    const auto traces = trace_edges(both, {certificate.edge}, 2001, Progress{});
+    ASSERT_TRUE(traces);
+    for (const TracePoint& p : traces->at(0).points) {
+        EXPECT_LE(p.gap, certificate.gap);
+        EXPECT_LE(p.angle, certificate.angle);
+    }
+    EXPECT_GE(certificate.gap, slot);
+    // Sound, not sharp: room for the nearest point to lie elsewhere on the border.
+    EXPECT_LE(certificate.gap, 10.0 * slot);
 }
 
 /// Two roofs of degree 1 across, with their ridge in the middle, that share the polygon y = 1.
@@ -190,7 +205,9 @@ TEST(CertifyKinds, SplinesThatCollapseToAPoint) {
         // Beside the pole rounding is large against the surface: not as sharp as elsewhere.
         EXPECT_LT(edges[0].certificate.angle, radians(2e-3));
         EXPECT_LT(edges[0].certificate.gap, 1e-5);
-        for (const TracePoint& p : trace_edges(shape, {1}, 2001, Progress{})->at(0).points) {
+        const auto traces = trace_edges(shape, {1}, 2001, Progress{});
+        ASSERT_TRUE(traces);
+        for (const TracePoint& p : traces->at(0).points) {
             EXPECT_LE(p.gap, edges[0].certificate.gap);
             EXPECT_LE(p.angle, edges[0].certificate.angle);
         }
