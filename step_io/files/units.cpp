@@ -34,4 +34,13 @@ std::string unit_of_millimetres(double millimetres) {
     return "MM";
 }
 
+double millimetres_of_unit(std::string_view unit) {
+    for (const auto& [name, size] : kUnits) {
+        if (unit == name) {
+            return size;
+        }
+    }
+    return 1.0;
+}
+
 }  // namespace suture::io

@@ -3,6 +3,7 @@
 #include "files/static_scope.h"
 #include "files/step_order.h"
 #include "files/step_text.h"
+#include "files/units.h"
 #include "files/write_time.h"
 
 #include <APIHeaderSection_MakeHeader.hxx>
@@ -87,6 +88,8 @@ Result<std::vector<StepId>> write_step(const ModelFile& model, const std::string
     writer.SetDimTolMode(false);
     writer.SetPropsMode(false);
     writer.SetMaterialMode(true);
+    // OCCT 7.8 names the unit of "write.step.unit" and writes millimetres: 7.6 takes both from it.
+    writer.ChangeWriter().Model()->SetWriteLengthUnit(millimetres_of_unit(model.unit));
     if (!writer.Transfer(model.document, STEPControl_AsIs)) {
         return fail(ErrorCode::Internal, "OCCT cannot write the model as STEP{}{}",
                     scope.complaint().empty() ? "" : ": ", scope.complaint());
