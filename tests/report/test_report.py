@@ -233,7 +233,7 @@ class Sizes(Report):
 
     def test_fifty_thousand_faces_are_handled(self):
         boxes = with_freecad(
-            lambda app, part: part.makeCompound(
+            lambda app, part: part.Compound(
                 [part.makeBox(8, 9, 7, app.Vector(10 * (i % 92), 10 * (i // 92), 0)) for i in range(8400)]),
             self.folder)
         suture("check", boxes, "--no-sew", "--report", self.page)
@@ -511,7 +511,7 @@ class Tools(Report):
 
     def test_parts_can_be_hidden(self):
         made = with_freecad(
-            lambda app, part: part.makeCompound([part.makeBox(10, 10, 10), part.makeCylinder(5, 20, app.Vector(30, 0, 0))]),
+            lambda app, part: part.Compound([part.makeBox(10, 10, 10), part.makeCylinder(5, 20, app.Vector(30, 0, 0))]),
             self.folder)
         step = self.folder / "two.step"
         sys.path.append("/usr/lib/freecad-python3/lib")

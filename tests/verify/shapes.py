@@ -238,7 +238,7 @@ def largest_gap_and_angle(shape, added):
 
 def largest_distance(truth, added, across=8):
     """From points all over the lost face to the nearest new face."""
-    new = Part.makeCompound([facts.face for facts in added])
+    new = Part.Compound([facts.face for facts in added])
     u1, u2, v1, v2 = truth.ParameterRange
     points = []
     for i in range(across):

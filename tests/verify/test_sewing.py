@@ -62,7 +62,7 @@ def grouped(solid, groups, shift, seed=1):
     shells = []
     for i in range(groups):
         faces = [face.copy() for face in solid.Faces[i::groups]]
-        part = Part.makeCompound(faces)
+        part = Part.Compound(faces)
         part.translate(Vector(*(dice.uniform(-1, 1) * shift for _ in range(3))))
         shells += part.Faces
     return shells
@@ -71,7 +71,7 @@ def grouped(solid, groups, shift, seed=1):
 def cracked(solid, loose):
     """A shell in which some faces have edges of their own."""
     faces = [face.copy() if i in loose else face for i, face in enumerate(solid.Faces)]
-    return [Part.makeCompound(faces)]
+    return [Part.Compound(faces)]
 
 
 def polygon(*points):
@@ -136,12 +136,12 @@ MODELS = {
     "short_edge_on_one_side": (cut_corner(2e-5), [90000], 1e-9),
     "shorter_edge_on_one_side": (cut_corner(5e-6), [90000], 1e-9),
     "two_groups_with_a_wall": (
-        [Part.makeCompound(loosened(box(0, 0, 0, 4, 3, 2))), Part.makeCompound(loosened(box(4, 0, 0, 9, 3, 2)))],
+        [Part.Compound(loosened(box(0, 0, 0, 4, 3, 2))), Part.Compound(loosened(box(4, 0, 0, 9, 3, 2)))],
         [24, 30],
         1e-9,
     ),
     "two_groups_with_an_edge": (
-        [Part.makeCompound(loosened(box(0, 0, 0, 4, 3, 2))), Part.makeCompound(loosened(box(4, 3, 0, 9, 6, 2)))],
+        [Part.Compound(loosened(box(0, 0, 0, 4, 3, 2))), Part.Compound(loosened(box(4, 3, 0, 9, 6, 2)))],
         [24, 30],
         1e-9,
     ),
@@ -164,7 +164,7 @@ class Sewing(unittest.TestCase):
         self.addCleanup(shutil.rmtree, self.folder)
 
     def sew(self, shapes, ending):
-        model = Part.makeCompound(shapes)
+        model = Part.Compound(shapes)
         model.Placement = SKEW.multiply(model.Placement)
         given = self.folder / "dirty.brep"
         model.exportBrep(str(given))

@@ -17,7 +17,7 @@ except ImportError as error:
 
 def box_without(*numbers):
     box = Part.makeBox(10, 20, 30)
-    return Part.makeCompound([face for i, face in enumerate(box.Faces) if i not in numbers])
+    return Part.Compound([face for i, face in enumerate(box.Faces) if i not in numbers])
 
 
 class Shapes(unittest.TestCase):
@@ -35,7 +35,7 @@ class Shapes(unittest.TestCase):
         self.assertEqual(len(shapes.free_edges(Part.makeCylinder(3, 5))), 0)
         self.assertEqual(len(shapes.free_edges(Part.makeTorus(5, 2))), 0)
         tube = [f for f in Part.makeCylinder(3, 5).Faces if not isinstance(f.Surface, Part.Plane)]
-        self.assertEqual(len(shapes.free_edges(Part.makeCompound(tube))), 2)
+        self.assertEqual(len(shapes.free_edges(Part.Compound(tube))), 2)
 
     def test_an_added_face_is_told_from_the_old_ones(self):
         faces = shapes.Comparison(box_without(2), Part.makeBox(10, 20, 30))

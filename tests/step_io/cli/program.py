@@ -76,7 +76,7 @@ def write_many_holes(folder, count=60):
         copy.translate(FreeCAD.Vector(100 * i, 0, 0))
         copies.append(copy)
     file = folder / "many.step"
-    Part.makeCompound(copies).exportStep(str(file))
+    Part.Compound(copies).exportStep(str(file))
     return file
 
 

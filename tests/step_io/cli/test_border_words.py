@@ -54,7 +54,7 @@ LINES = [
 class BorderWords(Case):
     def test_each_is_one_exact_line(self):
         square = wounds.polygon([(0, 0, 0), (40, 0, 0), (40, 40, 0), (0, 40, 0)])
-        lines = Part.makeCompound([*square, Part.makeLine(V(0, 0, 50), V(9, 0, 50))])
+        lines = Part.Compound([*square, Part.makeLine(V(0, 0, 50), V(9, 0, 50))])
         files = {"lines": lines, "box": Part.makeBox(1, 2, 3)}
         for name, shape in files.items():
             wounds.save(shape, self.folder / f"{name}.step")

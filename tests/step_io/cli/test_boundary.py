@@ -21,7 +21,7 @@ SQUARE = [(0, 0, 0), (40, 0, 0), (40, 40, 0), (0, 40, 0)]
 @unittest.skipIf(isinstance(wounds, ImportError), f"needs FreeCAD: {wounds}")
 class Boundary(Case):
     def saved(self, shapes, name="in.step"):
-        return wounds.save(Part.makeCompound(shapes), self.folder / name)
+        return wounds.save(Part.Compound(shapes), self.folder / name)
 
     def filled(self, file, *words, code=DONE):
         out = self.folder / "out.step"

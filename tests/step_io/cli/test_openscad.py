@@ -55,7 +55,7 @@ import sys
 sys.path.append("/usr/lib/freecad-python3/lib")
 import FreeCAD, Part
 crossed = Part.Face(Part.makePolygon([(0, 0, 0), (10, 10, 0), (10, 0, 0), (0, 10, 0), (0, 0, 0)]))
-Part.makeCompound([Part.makeBox(30, 20, 5), crossed]).exportBrep({str(self.folder / "both.brep")!r})
+Part.Compound([Part.makeBox(30, 20, 5), crossed]).exportBrep({str(self.folder / "both.brep")!r})
 """)
         subprocess.run([sys.executable, script], check=True, capture_output=True, timeout=limit(100))
         finished = self.expect(run("convert", self.folder / "both.brep", self.folder / "both.off", "--open-ok"),

@@ -23,7 +23,7 @@ class ShapeHandles(Case):
     def circle(self, *more):
         """A circle of radius 9 on a ball, with nothing around it."""
         ring = Part.makeCircle(9, V(0, 0, height(9, 0)))
-        shape = Part.makeCompound([ring, *more])
+        shape = Part.Compound([ring, *more])
         return wounds.save(shape, self.folder / "in.step")
 
     def filled(self, file, *words, code=DONE):

@@ -44,7 +44,7 @@ def without(shape, wanted):
 
 
 def both(*shapes):
-    return Part.makeCompound(shapes)
+    return Part.Compound(shapes)
 
 
 def box(x=30, y=20, z=10, at=(0, 0, 0)):

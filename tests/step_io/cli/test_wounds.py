@@ -120,7 +120,7 @@ class Wounds(Case):
 
     def plates(self, *points):
         shapes = [wounds.placed(wounds.sheet(p)) for p in points]
-        return wounds.save(Part.makeCompound(shapes), self.folder / "plates.step")
+        return wounds.save(Part.Compound(shapes), self.folder / "plates.step")
 
     def rim(self, file, wanted):
         turn = wounds.placed(Part.Vertex(0, 0, 0)).Placement.inverse()
@@ -150,7 +150,7 @@ class Wounds(Case):
 
     def test_bridge_between_pipes_of_one_axis_is_the_cylinder(self):
         pipes = [Part.makeCylinder(5, 10, V(0, 0, z)).Faces[0] for z in (0, 25)]
-        file = wounds.save(Part.makeCompound(pipes), self.folder / "pipes.step")
+        file = wounds.save(Part.Compound(pipes), self.folder / "pipes.step")
         rims = wounds.edges_where(file, lambda p: min(abs(p.z - 10), abs(p.z - 25)) < 1e-6)
         self.assertEqual(len(rims), 2)
         _, out = self.run_on("bridge", file, "--edges", wounds.mixed(rims, 2))
@@ -163,7 +163,7 @@ class Wounds(Case):
             wounds.sheet([(x, 0, z), (x + 10, 0, z), (x + 10, 8, z), (x, 8, z)]) for x, z in ((0, 0), (20, 5))
         ]
         lines = [Part.makeLine(V(x, 0, z), V(x, 8, z)) for x, z in ((8, 0), (22, 5))]
-        shape = Part.makeCompound([wounds.placed(s) for s in (*plates, *lines)])
+        shape = Part.Compound([wounds.placed(s) for s in (*plates, *lines)])
         file = wounds.save(shape, self.folder / "plates.step")
         first, second = self.rim(file, lambda p: min(abs(p.x - 8), abs(p.x - 22)) < 1e-6)
         ruled = 8 * math.hypot(14, 5)
