@@ -1,13 +1,15 @@
 #!/bin/sh
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Installs what is shipped into bare roots of Debian 12 and 13, as docs/ship.md says, and uses it there.
-# Needs root, debootstrap, overlayfs, and 1 GB.
+# Needs root, debootstrap, overlayfs, and 1 GB, 4 GB of memory for `library` and `workbench`.
 #
 #   run.sh roots           makes the bare roots (once, some minutes)
 #   run.sh bundle          the bundle, without network, without root's rights
 #   run.sh wheel           the wheel, by pip, without network
 #   run.sh deb             the Debian packages, by apt, each in the root of the Debian that it was built on
-#   run.sh all             these in turn
+#   run.sh library         libsuture-dev, and docs/examples/fill_a_model.cpp built with it
+#   run.sh workbench       freecad-suture with Debian's FreeCAD, and a fill by the workbench
+#   run.sh all             these in turn (the last two load a gigabyte each)
 #
 # SUTURE_ROOTS    where the bare roots are, by default ~/.cache/suture-bare
 # SUTURE_DISTS    by default "bookworm trixie"
@@ -37,7 +39,7 @@ make_roots() {
 fresh() {
     leave
     mkdir -p "$scratch/layer" "$root"
-    mount -t tmpfs tmpfs "$scratch/layer"
+    mount -t tmpfs -o size=4g tmpfs "$scratch/layer"
     mkdir "$scratch/layer/upper" "$scratch/layer/work"
     mount -t overlay overlay -o \
         "lowerdir=$roots/$1,upperdir=$scratch/layer/upper,workdir=$scratch/layer/work" "$root"
@@ -92,27 +94,26 @@ wheel() {
 }
 
 # Each distribution has packages of its own: those of this one in ship, those of another in a folder of its name.
-deb() {
+# Runs a command with the distribution's name where it has packages.
+with_packages() {
     for dist in $dists; do
         packages=$ship
         [ "$dist" = "$(. /etc/os-release && echo "$VERSION_CODENAME")" ] || packages=$ship/$dist
         if ls "$packages"/suture_*.deb >/dev/null 2>&1; then
-            deb_in "$dist"
+            fresh "$dist"
+            echo "=== $1 in $dist"
+            cp "$packages"/*.deb "$root/home/user/"
+            "$1_in"
         else
-            echo "=== deb in $dist: there is none in $packages"
+            echo "=== $1 in $dist: there is none in $packages"
         fi
     done
 }
 
 deb_in() {
-    fresh "$1"
-    echo "=== deb in $1"
-    cp "$packages"/*.deb "$root/home/user/"
     given man-db bash-completion
     chroot "$root" sh -c 'dpkg --get-selections | sort' >"$scratch/before"
     given /home/user/suture_*.deb
-    # The others take a gigabyte of FreeCAD and compilers: that apt finds all that they need is enough here.
-    chroot "$root" sh -euc 'apt-get -qq -s install --no-install-recommends /home/user/*.deb >/dev/null'
     as_user 'sh use_program.sh /usr/bin/suture
         zcat /usr/share/man/man1/suture-fill.1.gz | grep -q continuity
         grep -q -e --edge-continuity /usr/share/bash-completion/completions/suture'
@@ -125,10 +126,36 @@ deb_in() {
     echo "removed: cleanly"
 }
 
+library_in() {
+    given cmake ninja-build g++ /home/user/suture_*.deb /home/user/libsuture-dev_*.deb
+    mkdir "$root/home/user/own"
+    cp "$source/docs/examples/fill_a_model.cpp" "$root/home/user/own/"
+    cat >"$root/home/user/own/CMakeLists.txt" <<'CMAKE'
+cmake_minimum_required(VERSION 3.25)
+project(Own LANGUAGES CXX)
+find_package(Suture REQUIRED)
+add_executable(fill_a_model fill_a_model.cpp)
+target_link_libraries(fill_a_model PRIVATE suture::io)
+CMAKE
+    as_user 'cmake -S own -B built -G Ninja -DCMAKE_BUILD_TYPE=Release >/dev/null
+        cmake --build built >/dev/null
+        built/fill_a_model suitcase_corner.step by_library.step
+        suture check by_library.step | tail -1'
+}
+
+workbench_in() {
+    given /home/user/suture_*.deb /home/user/freecad-suture_*.deb
+    as_user 'export QT_QPA_PLATFORM=offscreen
+        freecadcmd use_workbench.py </dev/null | tee said
+        grep -q "^used: well" said
+        suture check by_workbench.step | tail -1'
+}
+
 trap 'leave; rm -rf "$scratch"' EXIT
 case ${1-} in
     roots) make_roots ;;
-    bundle | wheel | deb) $1 ;;
-    all) make_roots && bundle && wheel && deb ;;
-    *) sed -n '3,16s/^# \{0,1\}//p' "$0" >&2; exit 1 ;;
+    bundle | wheel) $1 ;;
+    deb | library | workbench) with_packages "$1" ;;
+    all) make_roots && bundle && wheel && for kind in deb library workbench; do with_packages $kind; done ;;
+    *) sed -n '3,18s/^# \{0,1\}//p' "$0" >&2; exit 1 ;;
 esac
