@@ -6,6 +6,7 @@
 #include "files/static_scope.h"
 #include "files/step_text.h"
 #include "files/units.h"
+#include "suture/base/text.h"
 #include "suture/occ/step_units.h"
 
 #include <APIHeaderSection_MakeHeader.hxx>
@@ -82,10 +83,12 @@ void read_context(const Interface_InterfaceModel& entities, ModelFile& model) {
 }
 
 /// OCCT's scanner takes a byte-order mark for a word of the file's, and has no room for long texts.
+/// OCCT 7.8 finds no STEP file whose name is not UTF-8.
 IFSelect_ReturnStatus read_entities(STEPCAFControl_Reader& reader, ModelFile& model,
                                     std::string_view text, bool from_text) {
     const std::optional<ShorterStep> shorter = with_short_texts(text);
-    if (!shorter && !from_text && !text.starts_with(kByteOrderMark)) {
+    const bool named = valid_utf8(model.path.native()) == model.path.native();
+    if (!shorter && !from_text && named && !text.starts_with(kByteOrderMark)) {
         return reader.ReadFile(model.path.c_str());
     }
     if (shorter) {
