@@ -81,7 +81,7 @@ set(CPACK_DEBIAN_PROGRAM_DESCRIPTION "${about}")
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libsuture-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS
-    "suture (= ${PROJECT_VERSION}), libocct-data-exchange-dev, libocct-ocaf-dev, libeigen3-dev, libexpected-dev, libfmt-dev, libtbb-dev, nlohmann-json3-dev"
+    "suture (= ${PROJECT_VERSION}), libocct-data-exchange-dev, libocct-ocaf-dev, libfontconfig-dev, libeigen3-dev, libexpected-dev, libfmt-dev, libtbb-dev, nlohmann-json3-dev"
 )
 set(CPACK_DEBIAN_DEVELOPMENT_DESCRIPTION "${about}\n This package has the C++ library.")
 set(CPACK_DEBIAN_WORKBENCH_PACKAGE_NAME freecad-suture)

@@ -36,6 +36,8 @@ attach() {
     mountpoint -q "$root/dev" || mount --rbind /dev "$root/dev"
     mountpoint -q "$root$there" && return
     mkdir -p "$root$there" "$root/build" "$source/build"
+    # OCCT 7.8 crashes where it writes AP203 and the host's name has no address.
+    grep -q " $(hostname)\$" "$root/etc/hosts" 2>/dev/null || echo "127.0.0.1 $(hostname)" >>"$root/etc/hosts"
     mount --bind "$source" "$root$there"
     mount --bind "$root/build" "$root$there/build"
     if [ -d "$source/../shared" ]; then

@@ -137,8 +137,8 @@ find_package(Suture REQUIRED)
 add_executable(fill_a_model fill_a_model.cpp)
 target_link_libraries(fill_a_model PRIVATE suture::io)
 CMAKE
-    as_user 'cmake -S own -B built -G Ninja -DCMAKE_BUILD_TYPE=Release >/dev/null
-        cmake --build built >/dev/null
+    as_user 'cmake -S own -B built -G Ninja -DCMAKE_BUILD_TYPE=Release
+        cmake --build built
         built/fill_a_model suitcase_corner.step by_library.step
         suture check by_library.step | tail -1'
 }
