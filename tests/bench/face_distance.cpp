@@ -13,6 +13,7 @@
 #include <TopoDS.hxx>
 
 #include <algorithm>
+#include <cmath>
 #include <deque>
 #include <limits>
 
@@ -23,6 +24,7 @@ constexpr int kSamplesAcross = 24;   // of a face that is measured
 constexpr int kSamplesOnEdge = 24;   // per edge
 constexpr int kStartsAcross = 48;    // where the search for the nearest point may start
 constexpr double kTolerance = 1e-9;  // of parameters, in the searches
+constexpr double kFoot = 1e-6;       // how far from a right angle a foot's may be, as a sine
 
 struct Edge {
     BRepAdaptor_Curve curve;
@@ -120,7 +122,22 @@ struct FaceDistance::Data {
         nearest = std::min(nearest, start->point.Distance(point));
         Extrema_GenLocateExtPS local(surface, kTolerance, kTolerance);
         local.Perform(point, start->parameters.X(), start->parameters.Y(), true);
-        return local.IsDone() && take(local.Point(), point);
+        return local.IsDone() && is_foot(local.Point(), point) && take(local.Point(), point);
+    }
+
+    /// OCCT 7.8 returns where its search began if there is no foot near.
+    [[nodiscard]] bool is_foot(const Extrema_POnSurf& found, const gp_Pnt& point) const {
+        double u = 0.0;
+        double v = 0.0;
+        found.Parameter(u, v);
+        gp_Pnt at;
+        gp_Vec along_u;
+        gp_Vec along_v;
+        surface.D1(u, v, at, along_u, along_v);
+        const gp_Vec way(at, point);
+        const double flat = kFoot * way.Magnitude();
+        return std::abs(way.Dot(along_u)) <= flat * along_u.Magnitude() &&
+               std::abs(way.Dot(along_v)) <= flat * along_v.Magnitude();
     }
 
     void walk_boundary(const gp_Pnt& point) {
