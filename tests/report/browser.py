@@ -60,7 +60,11 @@ class Browser:
         except Exception:  # it may be gone already
             self.process.kill()
         self.socket.close()
-        self.process.wait(timeout=30)
+        try:
+            self.process.wait(timeout=30)
+        except subprocess.TimeoutExpired:  # the newest one does not always end
+            self.process.kill()
+            self.process.wait()
         shutil.rmtree(self.profile, ignore_errors=True)
 
     def send(self, method, **parameters):
