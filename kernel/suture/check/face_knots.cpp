@@ -1,5 +1,6 @@
 #include "suture/check/face_knots.h"
 
+#include "suture/check/face_domain.h"
 #include "suture/occ/guard.h"
 #include "suture/occ/handle.h"
 #include "suture/occ/topology.h"
@@ -15,7 +16,10 @@
 #include <TopoDS.hxx>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <memory>
+#include <optional>
 
 namespace suture {
 
@@ -155,6 +159,52 @@ struct FaceOfKnots {
     gp_Trsf to_model;
     std::array<double, 4> box = {};  ///< u and v ranges that the face covers
     std::unique_ptr<BRepTopAdaptor_FClass2d> inside;
+    std::optional<FaceDomain> domain;  ///< none: its parameters repeat
+
+    void set_domain(const TopoDS_Face& shape) {
+        auto& [u0, u1, v0, v1] = box;
+        BRepTools::UVBounds(shape, u0, u1, v0, v1);
+        inside = std::make_unique<BRepTopAdaptor_FClass2d>(shape, Precision::PConfusion());
+        if (!surface->IsUPeriodic() && !surface->IsVPeriodic()) {
+            domain.emplace(shape);
+            if (!domain->closed() || domain->signed_area() <= 0.0) {
+                domain.reset();
+            }
+        }
+    }
+};
+
+/// Which points of a piece of a knot line lie inside the face. OCCT's classifier, which is slow, is
+/// asked only near the border.
+class Inside {
+  public:
+    Inside(const FaceOfKnots& face, const gp_Pnt2d& from, const gp_Pnt2d& to) : face_(face) {
+        if (face.domain) {
+            near_ = face.domain->all_pieces();
+            part_ = face.domain->classify(box(from, to), near_);
+        }
+    }
+
+    [[nodiscard]] bool operator()(const gp_Pnt2d& uv) const {
+        FaceDomain::Part part = part_;
+        if (face_.domain && part == FaceDomain::Part::Border) {
+            std::vector<int> near = near_;
+            part = face_.domain->classify(box(uv, uv), near);
+        }
+        return part == FaceDomain::Part::Border ? face_.inside->Perform(uv) != TopAbs_OUT
+                                                : part == FaceDomain::Part::Inside;
+    }
+
+  private:
+    /// A little wider than its two corners: what lies on the border is no matter of rounding.
+    static ParameterBox box(const gp_Pnt2d& from, const gp_Pnt2d& to) {
+        const double margin = 10.0 * Precision::PConfusion();
+        return {{from.X() - margin, from.Y() - margin}, {to.X() + margin, to.Y() + margin}};
+    }
+
+    const FaceOfKnots& face_;
+    std::vector<int> near_;
+    FaceDomain::Part part_ = FaceDomain::Part::Border;
 };
 
 KnotLine measure_line(const FaceOfKnots& face, bool is_u, int i) {
@@ -175,9 +225,13 @@ KnotLine measure_line(const FaceOfKnots& face, bool is_u, int i) {
     for (int j = other.first(); j < other.last(); ++j) {
         const double from = std::max(other.knot(j), low);
         const double to = std::min(other.knot(j + 1), high);
-        for (int k = 0; k <= per_span && to > from; ++k) {
+        if (!(to > from)) {
+            continue;
+        }
+        const Inside inside(face, across.uv(line.knot, from), across.uv(line.knot, to));
+        for (int k = 0; k <= per_span; ++k) {
             const double at = from + (to - from) * k / per_span;
-            if (face.inside->Perform(across.uv(line.knot, at)) == TopAbs_OUT) {
+            if (!inside(across.uv(line.knot, at))) {
                 continue;
             }
             limits.push_back({across.limit(i, i - 1, at, j), across.limit(i, i, at, j)});
@@ -208,10 +262,7 @@ std::vector<KnotLine> measure_face(const TopoDS_Face& shape, int number) {
                 continue;
             }
             if (!face.inside) {
-                auto& [u0, u1, v0, v1] = face.box;
-                BRepTools::UVBounds(shape, u0, u1, v0, v1);
-                face.inside =
-                    std::make_unique<BRepTopAdaptor_FClass2d>(shape, Precision::PConfusion());
+                face.set_domain(shape);
             }
             const double low = face.box.at(is_u ? 0 : 2);
             const double high = face.box.at(is_u ? 1 : 3);
