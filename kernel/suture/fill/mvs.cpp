@@ -61,7 +61,9 @@ void note_corners(const Hole& hole, const Tolerance& tolerance, std::vector<std:
 }  // namespace
 
 Result<FillResult> fill_mvs(const Hole& hole, const FillOptions& options) {
-    return fill_mvs(hole, options, mvs::Schedule());
+    mvs::Schedule schedule;
+    schedule.most_work *= find_number(options.own, "work").value_or(1.0);
+    return fill_mvs(hole, options, schedule);
 }
 
 Result<FillResult> fill_mvs(const Hole& asked, const FillOptions& options,
@@ -98,6 +100,11 @@ Result<FillResult> fill_mvs(const Hole& asked, const FillOptions& options,
             "neighbours agree in normal but not in curvature at corners: {} knot line{} through "
             "them, across which the curvature may jump",
             fairing->lines, fairing->lines == 1 ? "" : "s"));
+    }
+    if (fairing->exhausted) {
+        result.notes.emplace_back(
+            "a finer net would take too much computing: --effort thorough, or --method mvs "
+            "--option work=10, may come nearer");
     }
     for (const std::string& side : fairing->tangent_only) {
         result.notes.push_back(side +

@@ -2,7 +2,15 @@
 
 #include "suture/fill/fill.h"
 
+#include <array>
+
 namespace suture {
+
+inline constexpr std::array kMvsOptions = {
+    MethodOption{"work", OptionKind::Number, "FACTOR",
+                 "how much it may compute, 1 (default) for some seconds: finer nets come nearer",
+                 0.0},
+};
 
 namespace mvs {
 struct Schedule;

@@ -35,10 +35,11 @@ blasint as_blas(Eigen::Index n) {
 
 }  // namespace
 
-void add_gram(const ConstMatrixRef& A, MatrixRef C) {
+void add_gram(const ConstMatrixRef& A, MatrixRef C, double factor) {
     const Turn turn;
-    cblas_dsyrk(CblasColMajor, CblasLower, CblasNoTrans, as_blas(C.rows()), as_blas(A.cols()), 1.0,
-                A.data(), as_blas(A.outerStride()), 1.0, C.data(), as_blas(C.outerStride()));
+    cblas_dsyrk(CblasColMajor, CblasLower, CblasNoTrans, as_blas(C.rows()), as_blas(A.cols()),
+                factor, A.data(), as_blas(A.outerStride()), 1.0, C.data(),
+                as_blas(C.outerStride()));
 }
 
 void subtract_product(const ConstMatrixRef& A, const ConstMatrixRef& B, MatrixRef C) {

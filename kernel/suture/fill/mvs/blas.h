@@ -11,8 +11,8 @@ namespace suture::mvs {
 using MatrixRef = Eigen::Ref<Eigen::MatrixXd, 0, Eigen::OuterStride<>>;
 using ConstMatrixRef = Eigen::Ref<const Eigen::MatrixXd, 0, Eigen::OuterStride<>>;
 
-/// The lower triangle of C += A A^T.
-void add_gram(const ConstMatrixRef& A, MatrixRef C);
+/// The lower triangle of C += factor A A^T.
+void add_gram(const ConstMatrixRef& A, MatrixRef C, double factor = 1.0);
 
 /// C -= A B^T
 void subtract_product(const ConstMatrixRef& A, const ConstMatrixRef& B, MatrixRef C);

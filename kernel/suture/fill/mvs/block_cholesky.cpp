@@ -8,6 +8,7 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace suture::mvs {
 
@@ -58,6 +59,13 @@ Eigen::MatrixXd BlockBand::times(const Eigen::MatrixXd& x) const {
     return y;
 }
 
+// For each block column the factor of its own block, its panel, and what the panel takes from the
+// columns after it.
+double BlockBand::work(int blocks, int size, int width) {
+    const double per_column = 1.0 / 6.0 + 0.5 * width + 0.5 * width * width;
+    return per_column * blocks * std::pow(size, 3);
+}
+
 bool BlockBand::factorise() {
     for (int j = 0; j < blocks(); ++j) {
         Eigen::MatrixXd& A = column(j);
@@ -73,9 +81,12 @@ bool BlockBand::factorise() {
         auto panel = A.bottomRows(below * size_);
         divide_by_transposed(diagonal, panel);
         tbb::parallel_for(1, below + 1, [&](int k) {
-            const auto rows = (below - k + 1) * size_;
-            subtract_product(A.bottomRows(rows), A.middleRows(k * size_, size_),
-                             column(j + k).topRows(rows));
+            const auto own = A.middleRows(k * size_, size_);
+            const auto rest = (below - k) * size_;
+            add_gram(own, column(j + k).topRows(size_), -1.0);
+            if (rest > 0) {
+                subtract_product(A.bottomRows(rest), own, column(j + k).middleRows(size_, rest));
+            }
         });
     }
     return true;

@@ -34,6 +34,9 @@ class BlockBand {
     /// Replaces the matrix by its Cholesky factor. False where it is not positive definite.
     [[nodiscard]] bool factorise();
 
+    /// The multiplications that factorise() takes.
+    [[nodiscard]] static double work(int blocks, int size, int width);
+
     /// Solves with the factor.
     [[nodiscard]] Eigen::VectorXd solve(const Eigen::VectorXd& b) const;
 

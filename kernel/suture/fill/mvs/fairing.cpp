@@ -36,31 +36,46 @@ bool better(const Fairing& a, const Fairing& b) {
     return folds_a != folds_b ? folds_b : a.missed_by < b.missed_by;
 }
 
+// Whether a net without lines can come nearer than one with them did: its smallest spans miss by a
+// quarter of the disagreement, in radians.
+bool plain_may_help(const Fairing& with_lines, const LinedLayout& lined, const FillOptions& options,
+                    const Schedule& schedule) {
+    const double least = 0.25 * lined.twist * schedule.least_span;
+    return with_lines.regularity <= 0.0 || with_lines.missed_by * options.tolerance.angular > least;
+}
+
 Result<Fairing> best_attempt(const Hole& hole, const Layout& layout, const FillOptions& options,
-                             const Schedule& schedule) {
+                             const Schedule& schedule, double most_work) {
     const RibbonLoop& loop = hole.loops.front();
     const Scale scale = scale_of(loop, layout);
-    const LinedLayout plain{layout, {}};
+    const LinedLayout plain{layout, {}, 0.0};
     const LinedLayout lined = with_knot_lines(loop, layout, scale, least_twist(options, schedule));
     std::optional<Fairing> best;
+    double work = 0.0;
     const auto poor = [&] { return best->worst.angle > schedule.poor_angle; };
     for (const LinedLayout* with : {&lined, &plain}) {
-        if (with == &lined && lined.lines.empty()) {
+        const bool lines = with == &lined;
+        if (lines ? lined.lines.empty()
+                  : best && !plain_may_help(*best, lined, options, schedule)) {
             continue;
         }
+        const double up_to = (lines ? schedule.share_of_lines : 1.0) * most_work;
         for (const int spans : {schedule.first_spans, schedule.fine_first_spans}) {
-            Result<Fairing> fairing = Levels(hole, *with, scale, options, schedule, spans).run();
+            Result<Fairing> fairing =
+                Levels(hole, *with, scale, options, schedule, spans, up_to - work).run();
             if (!fairing) {
                 return fairing;
             }
+            work += fairing->work;
             const bool off = fairing->worst.angle > schedule.poor_angle;
+            const bool exhausted = fairing->exhausted;
             if (!best || better(*fairing, *best)) {
                 best = std::move(*fairing);
             }
             if (best->missed_by <= schedule.within && best->regularity > 0.0) {
                 return *best;
             }
-            if (!off || !poor()) {
+            if (!off || !poor() || exhausted) {
                 break;
             }
         }
@@ -104,7 +119,13 @@ Hole with_less_curvature(const Hole& hole, bool all, std::vector<std::string>& n
 
 Result<Fairing> fair(const Hole& hole, const Layout& layout, const FillOptions& options,
                      const Schedule& schedule) {
-    Result<Fairing> best = best_attempt(hole, layout, options, schedule);
+    const bool curved = std::ranges::any_of(hole.loops, [&](const RibbonLoop& loop) {
+        return std::ranges::any_of(
+            loop.ribbons, [](const Ribbon& ribbon) { return ribbon.continuity >= Continuity::G2; });
+    });
+    const double some =
+        curved ? schedule.share_of_curvature * schedule.most_work : schedule.most_work;
+    Result<Fairing> best = best_attempt(hole, layout, options, schedule, some);
     std::size_t given_up = 0;
     for (const bool all : {false, true}) {
         if (!best || (best->tangency_missed_by <= schedule.within && best->regularity > 0.0)) {
@@ -116,7 +137,8 @@ Result<Fairing> fair(const Hole& hole, const Layout& layout, const FillOptions& 
             continue;
         }
         given_up = names.size();
-        Result<Fairing> fairing = best_attempt(less, layout, options, schedule);
+        Result<Fairing> fairing =
+            best_attempt(less, layout, options, schedule, all ? schedule.most_work : some);
         if (!fairing) {
             return fairing;
         }

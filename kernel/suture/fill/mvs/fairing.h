@@ -25,8 +25,10 @@ struct Fairing {
     double tangency_missed_by = 0.0;  ///< of gap and angle alone
     double regularity = 0.0;  ///< least signed area element on the trimmed domain, against the mean
     int steps = 0;
-    std::size_t lines = 0;  ///< knot lines of C1
-    Domain domain;          ///< where every loop runs
+    double work = 0.0;       ///< multiplications, about
+    bool exhausted = false;  ///< ended because more would have been too much work
+    std::size_t lines = 0;   ///< knot lines of C1
+    Domain domain;           ///< where every loop runs
     /// Sides that asked for curvature and got tangency, for the sake of gap and angle: edge
     /// numbers.
     std::vector<std::string> tangent_only;

@@ -253,13 +253,16 @@ double KnotLine::weight(double t) const {
 
 LinedLayout with_knot_lines(const RibbonLoop& loop, const Layout& layout, const Scale& scale,
                             double least_twist) {
-    LinedLayout result{layout, {}};
+    LinedLayout result{layout, {}, 0.0};
     const auto corners_in = [&](const Layout& in) {
         return twisted_corners(loop, in, scale, least_twist);
     };
     const std::vector<TwistedCorner> given = corners_in(layout);
     if (given.empty()) {
         return result;
+    }
+    for (const TwistedCorner& corner : given) {
+        result.twist = std::max(result.twist, meet(corner, {}).residual);
     }
     result.layout = turned(layout, best_turn(given));
     if (const Eigen::Vector2d size = result.layout.upper - result.layout.lower;

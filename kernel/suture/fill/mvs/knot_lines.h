@@ -30,6 +30,7 @@ struct KnotLine {
 struct LinedLayout {
     Layout layout;
     std::vector<KnotLine> lines;
+    double twist = 0.0;  ///< the largest disagreement at such a corner, in the solver's unit
 };
 
 /// Input    least_twist: the disagreement of the neighbours' second fundamental forms, in the

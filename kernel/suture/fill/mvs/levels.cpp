@@ -36,13 +36,15 @@ double Levels::Goal::tangency_missed_by(const Miss& miss, const BoundarySample& 
 }
 
 Levels::Levels(const Hole& hole, const LinedLayout& layout, const Scale& scale,
-               const FillOptions& options, const Schedule& schedule, int first_spans)
+               const FillOptions& options, const Schedule& schedule, int first_spans,
+               double most_work)
     : hole_(hole),
       lines_(layout.lines),
       options_(options),
       schedule_(schedule),
       scale_(scale),
-      net_(first_net(layout, scale, schedule, first_spans)) {
+      net_(first_net(layout, scale, schedule, first_spans)),
+      most_work_(most_work) {
     domain_.loops.push_back(layout.layout);
     const Tolerance& t = options.tolerance;
     goal_.gap = std::clamp(schedule.gap_part * t.linear / scale.length, schedule.least_gap,
@@ -59,7 +61,9 @@ void Levels::sample_densely() {
 }
 
 void Levels::solve(const System& system, const SolverOptions& steps) {
-    steps_ += minimise(system, net_, steps, options_.progress).steps;
+    const Convergence found = minimise(system, net_, steps, options_.progress);
+    steps_ += found.steps;
+    work_ += found.work;
 }
 
 Weights Levels::with_lines(Weights weights) const {
@@ -111,7 +115,36 @@ int Levels::patience(double missed_by) const {
                                                                 : schedule_.patience;
 }
 
-void Levels::measure() {
+bool Levels::affordable() const {
+    const double step = BlockBand::work(net_.v.count(), 3 * net_.u.count(), kDegree);
+    return work_ + schedule_.steps_ahead * step <= most_work_;
+}
+
+// Numbers that are none would pass every comparison below.
+Result<void> Levels::expect_finite() const {
+    for (const BoundarySample& sample : measured_) {
+        const bool finite = sample.point.allFinite() && sample.normal.allFinite() &&
+                            (sample.continuity < Continuity::G1 || sample.inward.allFinite()) &&
+                            (sample.continuity < Continuity::G2 || sample.curvature.allFinite());
+        if (sample.loop >= 0 && !finite) {
+            const Ribbon& ribbon = hole_.loops[static_cast<std::size_t>(sample.loop)]
+                                       .ribbons[static_cast<std::size_t>(sample.ribbon)];
+            return fail(ErrorCode::Refused,
+                        "{}: no finite point, normal, tangent across and curvature at {:.3f}",
+                        name_of(ribbon), sample.s);
+        }
+    }
+    if (!net_.poles.allFinite()) {
+        return fail(ErrorCode::Refused, "the net of {} x {} poles is not finite after {} steps",
+                    net_.u.count(), net_.v.count(), steps_);
+    }
+    return {};
+}
+
+Result<void> Levels::measure() {
+    if (auto finite = expect_finite(); !finite) {
+        return finite;
+    }
     misses_.clear();
     missed_by_ = 0.0;
     poor_ = false;
@@ -120,6 +153,7 @@ void Levels::measure() {
         poor_ = poor_ || misses_.back().angle > schedule_.poor_angle;
         missed_by_ = std::max(missed_by_, goal_.missed_by(misses_.back(), sample));
     }
+    return {};
 }
 
 void Levels::keep_least_spans(const Axis& axis, std::vector<bool>& marked) const {
@@ -173,23 +207,32 @@ Result<Fairing> Levels::run() {
     solve(first, schedule_.rough_steps);
     first.set_weights(with_lines(schedule_.exact));
     solve(first, schedule_.exact_steps);
-    measure();
+    if (auto measured = measure(); !measured) {
+        return tl::unexpected(measured.error());
+    }
     Weights weights = with_lines(schedule_.fine);
     const double least_energy =
         lines_.empty() ? schedule_.least_energy : schedule_.least_energy_with_lines;
     Net best = net_;
     Domain best_domain = domain_;
     double least = missed_by_;
+    bool exhausted = false;
     for (int level = 1, idle = 0;
          level < schedule_.levels && !good_enough() && idle < patience(least); ++level) {
         options_.progress(static_cast<double>(level) / schedule_.levels, "fairing");
         if (!refine()) {
             break;
         }
+        exhausted = !affordable();
+        if (exhausted) {
+            break;
+        }
         lay_on_surface(net_, scale_, hole_, domain_);
         sample_densely();
         solve(system(weights), schedule_.fine_steps);
-        measure();
+        if (auto measured = measure(); !measured) {
+            return tl::unexpected(measured.error());
+        }
         const bool nearer = missed_by_ <= schedule_.progress * least;
         idle = nearer ? 0 : idle + 1;
         if (!nearer) {
@@ -206,7 +249,9 @@ Result<Fairing> Levels::run() {
     domain_ = best_domain;
     sample_densely();
     settle_outside(polygons_of(measured_), net_);
-    measure();
+    if (auto measured = measure(); !measured) {
+        return tl::unexpected(measured.error());
+    }
     double tangency = 0.0;
     for (std::size_t k = 0; k < measured_.size(); ++k) {
         tangency = std::max(tangency, goal_.tangency_missed_by(misses_[k], measured_[k]));
@@ -221,6 +266,8 @@ Result<Fairing> Levels::run() {
                    tangency * schedule_.angle_part,
                    regularity(net_, polygons_of(measured_)),
                    steps_,
+                   work_,
+                   exhausted,
                    lines_.size(),
                    domain_,
                    {}};

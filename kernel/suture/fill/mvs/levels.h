@@ -18,12 +18,13 @@ namespace suture::mvs {
 /// then the exact functional, then knots where the boundary is missed.
 class Levels {
   public:
-    /// Input    first_spans: along the longer side of the first net's box. What is referred to has
-    /// to
+    /// Input    first_spans: along the longer side of the first net's box; most_work: no level
+    ///          begins that would take more multiplications in all. What is referred to has to
     ///          outlive this.
     Levels(const Hole& hole, const LinedLayout& layout, const Scale& scale,
-           const FillOptions& options, const Schedule& schedule, int first_spans);
+           const FillOptions& options, const Schedule& schedule, int first_spans, double most_work);
 
+    /// Refuses  ribbons and nets that are not finite; when cancelled.
     [[nodiscard]] Result<Fairing> run();
 
   private:
@@ -35,8 +36,10 @@ class Levels {
                                                 const BoundarySample& sample) const;
     };
 
-    void measure();
+    [[nodiscard]] Result<void> measure();
+    [[nodiscard]] Result<void> expect_finite() const;
     [[nodiscard]] bool good_enough() const;
+    [[nodiscard]] bool affordable() const;
     [[nodiscard]] int patience(double missed_by) const;
     [[nodiscard]] std::pair<Axis, Axis> finer(double limit) const;
     void keep_least_spans(const Axis& axis, std::vector<bool>& marked) const;
@@ -60,6 +63,8 @@ class Levels {
     double missed_by_ = 0.0;
     bool poor_ = false;
     int steps_ = 0;
+    double most_work_ = 0.0;
+    double work_ = 0.0;
 };
 
 }  // namespace suture::mvs

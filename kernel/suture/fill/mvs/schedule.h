@@ -52,6 +52,14 @@ struct Schedule {
     int patience = 3;
     int poor_patience = 2;
     double within = 0.8;
+    // Multiplications of an attempt, about: 1e10 take a second. A net with knot lines may take so
+    // much of that, one without the rest; a level begins where so many steps of it are affordable.
+    double most_work = 2e10;
+    double share_of_lines = 0.75;
+    double steps_ahead = 2.0;
+    // Attempts with curvature along sides that may give it up get so much each, the last one, with
+    // tangency alone, all of it: it is as good as if nobody had asked for curvature.
+    double share_of_curvature = 0.5;
     // Spans are halved where a sample misses its goal, and by this part of the worst miss; while
     // the surface is far off it is no small correction of the final one, and more spans are.
     double marked = 0.3;

@@ -64,13 +64,17 @@ Convergence minimise(const System& system, Net& net, const SolverOptions& option
                      const Progress& progress) {
     Convergence result;
     double damping = options.damping;
+    const BlockBand& alike = system.damping();
+    const double factorising = BlockBand::work(alike.blocks(), 3 * alike.size(), alike.width());
     while (result.steps < options.steps && !result.settled && !progress.cancelled()) {
         const System::Linearised now = system.linearise(net);
+        result.work += system.linearising_work();
         const double tried = damping;
         std::optional<Step> step;
         double factor = kDampingFactor;
         for (int k = 0; k < kAttempts && !step; ++k) {
             step = attempt(system, net, now, damping);
+            result.work += factorising;
             if (!step) {
                 damping *= factor;
                 factor *= kDampingFactor;

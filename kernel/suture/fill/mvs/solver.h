@@ -17,6 +17,7 @@ struct Convergence {
     int steps = 0;
     bool settled = false;
     double last_move = 0.0;  ///< of the surface along its normal, in the solver's unit
+    double work = 0.0;       ///< multiplications, about
 };
 
 /// Gauss and Newton's method with Levenberg's damping.

@@ -386,6 +386,11 @@ System::Linearised System::linearise(const Net& net) const {
     return result;
 }
 
+double System::linearising_work() const {
+    constexpr double kGram = 0.5 * 3 * kLocal * (3 * kLocal + 1);
+    return kGram * (4.0 * static_cast<double>(point_count_) + static_cast<double>(samples_.size()));
+}
+
 double System::objective(const Net& net) const {
     std::vector<double> sums(spans_.size(), 0.0);
     tbb::parallel_for(std::size_t{0}, spans_.size(), [&](std::size_t i) {

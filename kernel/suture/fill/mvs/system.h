@@ -64,6 +64,9 @@ class System {
     [[nodiscard]] const Axis& v() const { return v_; }
     [[nodiscard]] std::size_t quadrature_points() const { return point_count_; }
 
+    /// The multiplications, about, that linearise() takes.
+    [[nodiscard]] double linearising_work() const;
+
   private:
     static constexpr int kConditions = 5;  // position, angle, curvature
     using Residuals = Eigen::Matrix<double, kConditions, 1>;

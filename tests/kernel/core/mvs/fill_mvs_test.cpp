@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 
 namespace suture {
@@ -517,6 +518,54 @@ TEST(FillMvs, BeginsAgainFromAFinerNetWhereWavesAreShorterThanASpan) {
     ASSERT_TRUE(both && coarse);
     EXPECT_LT(measure(hole, *both, truth).angle_deg, 0.01);
     EXPECT_GT(measure(hole, *coarse, truth).angle_deg, 1.0);
+}
+
+// Comparisons with numbers that are none say that all is well.
+TEST(FillMvs, RefusesNumbersThatAreNone) {
+    const double none = std::numeric_limits<double>::quiet_NaN();
+    for (const bool across : {true, false}) {
+        Hole hole = zoo::suitcase_corner(1.0);
+        Ribbon& ribbon = hole.loops[0].ribbons[1];
+        ribbon.continuity = Continuity::G2;
+        ribbon.edge = 17;
+        ribbon.at = [at = ribbon.at, across, none](double s) {
+            RibbonPoint p = at(s);
+            if (s > 0.4 && s < 0.5) {
+                (across ? p.inward[2] : p.curvature(1, 1)) = none;
+            }
+            return p;
+        };
+        const Result<FillResult> result = fill_mvs(hole, {});
+        ASSERT_FALSE(result);
+        EXPECT_EQ(result.error().code, ErrorCode::Refused);
+        EXPECT_NE(result.error().message.find("edge 17"), std::string::npos)
+            << result.error().message;
+        EXPECT_NE(result.error().message.find("at 0.4"), std::string::npos)
+            << result.error().message;
+    }
+}
+
+TEST(FillMvs, EndsWhereMoreWouldBeTooMuchWork) {
+    const Hole hole = zoo::fillet_corner(3, 0.6, 0.0, 0.5).setback(2.7);
+    const auto poles = [](const Result<FillResult>& fill) {
+        return std::get<SplineSurface>(fill->patches.front().surface).poles.cols();
+    };
+    const auto says = [](const Result<FillResult>& fill) {
+        return std::ranges::any_of(fill->notes, [](const std::string& note) {
+            return note.find("--option work=10") != std::string::npos;
+        });
+    };
+    FillOptions little;
+    little.own["work"] = {OptionKind::Number, {0.01}, {}};
+    const auto stopped = fill_mvs(hole, little);
+    const auto again = fill_mvs(hole, little);
+    const auto whole = fill_mvs(hole, {});
+    ASSERT_TRUE(stopped && again && whole);
+    EXPECT_LT(poles(stopped), poles(whole));
+    EXPECT_TRUE(says(stopped));
+    EXPECT_FALSE(says(whole));
+    EXPECT_EQ(std::get<SplineSurface>(stopped->patches.front().surface).poles,
+              std::get<SplineSurface>(again->patches.front().surface).poles);
 }
 
 }  // namespace
