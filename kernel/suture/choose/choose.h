@@ -47,6 +47,17 @@ enum class Tries {
                                          const FillRequest& request, const Tolerance& tolerance,
                                          Tries tries = Tries::All);
 
+/// What is left to be tried for a hole.
+enum class Left {
+    Closer,  ///< methods for a hole that the others miss by a little
+    Slow     ///< OCCT's filling
+};
+
+/// The same for a hole for which choose_fill with Tries::Own gave this.
+[[nodiscard]] Result<Choice> choose_further(const Site& site, const Hole& hole,
+                                            const FillRequest& request, const Tolerance& tolerance,
+                                            Result<Choice> earlier, Left left);
+
 /// Whether --method takes this name; the Usage error lists those that exist.
 [[nodiscard]] Result<void> validate_method(const std::string& method);
 

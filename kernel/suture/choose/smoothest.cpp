@@ -3,10 +3,13 @@
 #include "suture/check/profile.h"
 #include "suture/choose/asked.h"
 #include "suture/fill/fill.h"
+#include "suture/judge/judge_fill.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
+#include <utility>
 
 namespace suture {
 namespace {
@@ -84,16 +87,57 @@ bool does_without_tangency(const std::string& method) {
            });
 }
 
+/// So many times nearer the other sides have to come for one to give its tangency up.
+constexpr double kGain = 2.0;
+
+/// The same with position alone along single sides whose normals are no surface's at both their
+/// ends: what they miss there, a fill that is tangent to them spreads over all others. Nothing
+/// where there are none, or the others do not gain.
+std::optional<Choice> without_odd_sides(const Site& site, Hole& hole, std::vector<Wish>& wishes,
+                                        const FillRequest& request, const Tolerance& tolerance,
+                                        const Choice& tangent) {
+    const std::vector<bool> odd = odd_sides(hole, tolerance.angular);
+    Hole relaxed = hole;
+    std::vector<Wish> fewer = wishes;
+    relax(odd, "auto: position only, for at both ends the neighbour's normal is not the others'",
+          relaxed, fewer);
+    const AskedFill others = asked_of(site.loops, relaxed, {}, tolerance);
+    const double before = judge_fill(others, tangent.measures).score;
+    if (!std::ranges::any_of(fewer, &Wish::given_up) || before <= 1.0) {
+        return std::nullopt;
+    }
+    auto choice = choose_fill(site, relaxed, request, tolerance, Tries::Own);
+    if (!choice || choice->verdict.severity == Severity::Bad) {
+        return std::nullopt;
+    }
+    for (std::size_t i = 0; i < fewer.size(); ++i) {
+        if (fewer[i].given_up && choice->measures.sides[i].max_angle > kSharp) {
+            return std::nullopt;
+        }
+    }
+    if (kGain * judge_fill(others, choice->measures).score > before) {
+        return std::nullopt;
+    }
+    hole = std::move(relaxed);
+    wishes = std::move(fewer);
+    return *std::move(choice);
+}
+
 /// The fill that is tangent where that was asked for, or the one that gives it up where the hole's
 /// walls have no tangent fill.
+///
+/// Input    earlier: what the methods of our own gave when they were asked for more.
 Result<Choice> choose_tangent(const Site& site, Hole& hole, std::vector<Wish>& wishes,
-                              const FillRequest& request, const Tolerance& tolerance) {
+                              const FillRequest& request, const Tolerance& tolerance,
+                              std::optional<Choice> earlier = {}) {
     const bool ours =
         std::any_of(wishes.begin(), wishes.end(), [](const Wish& w) { return w.own; });
     if (!ours || !does_without_tangency(request.method)) {
         return choose_fill(site, hole, request, tolerance);
     }
-    auto tangent = choose_fill(site, hole, request, tolerance, Tries::Own);
+    auto tangent =
+        earlier ? choose_further(site, hole, request, tolerance, *std::move(earlier), Left::Closer)
+                : choose_fill(site, hole, request, tolerance, Tries::Own);
     const bool shaped = is_shaped(tangent);
     const std::vector<bool> sharp = sharp_sides(wishes, tangent);
     if (!tangent && tangent.error().code == ErrorCode::Cancelled) {
@@ -101,8 +145,13 @@ Result<Choice> choose_tangent(const Site& site, Hole& hole, std::vector<Wish>& w
     }
     const bool automatic = request.method == "auto";
     if (shaped && !any(sharp)) {
-        return tangent->near() || !automatic ? tangent
-                                             : choose_fill(site, hole, request, tolerance);
+        if (auto choice = without_odd_sides(site, hole, wishes, request, tolerance, *tangent)) {
+            choice->seconds += tangent->seconds;
+            return *std::move(choice);
+        }
+        return tangent->near() || !automatic
+                   ? std::move(tangent)
+                   : choose_further(site, hole, request, tolerance, std::move(tangent), Left::Slow);
     }
     double seconds = tangent ? tangent->seconds : 0.0;
     const std::string why = why_not_tangent(tangent);
@@ -126,9 +175,10 @@ Result<Choice> choose_tangent(const Site& site, Hole& hole, std::vector<Wish>& w
     if (!automatic) {
         return tangent;
     }
-    auto choice = choose_fill(site, hole, request, tolerance);
+    const double before = tangent ? tangent->seconds : 0.0;
+    auto choice = choose_further(site, hole, request, tolerance, std::move(tangent), Left::Slow);
     if (choice) {
-        choice->seconds += seconds;
+        choice->seconds += seconds - before;
         if (choice->relaxed) {
             relax(all, why, hole, wishes);
         }
@@ -174,6 +224,10 @@ Result<Choice> choose_smoothest(const Site& site, Hole& hole, std::vector<Wish>&
             wishes[i].reason = "auto: with continuous curvature gap or angle are out of tolerance";
         }
     });
+    if (smooth && smooth->method == "mvs") {
+        // It has given up what cost gap or angle, and would do the same again.
+        return choose_tangent(site, hole, wishes, request, tolerance, *std::move(smooth));
+    }
     auto choice = choose_tangent(site, hole, wishes, request, tolerance);
     if (choice && smooth) {
         choice->seconds += smooth->seconds;

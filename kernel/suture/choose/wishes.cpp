@@ -307,6 +307,22 @@ std::vector<bool> steep_sides(const Hole& hole) {
     });
 }
 
+std::vector<bool> odd_sides(const Hole& hole, double angle) {
+    std::vector<bool> odd;
+    for (const RibbonLoop& loop : hole.loops) {
+        const std::size_t n = loop.ribbons.size();
+        // Whether the normals miss each other where side i begins.
+        const auto missed = [&](std::size_t i) {
+            return mismatch(loop.ribbons[(i + n - 1) % n], loop.ribbons[i % n]) > angle;
+        };
+        for (std::size_t i = 0; i < n; ++i) {
+            odd.push_back(n > 2 && missed(i) && missed(i + 1) && !missed(i + n - 1) &&
+                          !missed(i + 2));
+        }
+    }
+    return odd;
+}
+
 std::vector<bool> walls_of(const Hole& hole) {
     const Opening opening = opening_of(hole);
     const bool shallow = opening.height <= kShallow * hole.diameter;

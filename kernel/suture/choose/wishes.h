@@ -39,6 +39,11 @@ struct Wish {
 /// somewhere, side by side in the order of the loops: a fill can hardly be tangent to them.
 [[nodiscard]] std::vector<bool> steep_sides(const Hole& hole);
 
+/// Which sides' normals differ from those of both sides beside them by more than this at the
+/// corners, where these sides agree with the next ones: single sides that belong to no smooth
+/// surrounding.
+[[nodiscard]] std::vector<bool> odd_sides(const Hole& hole, double angle);
+
 /// Which sides' neighbours do so all along, and on an opening that is nearly planar: walls, to
 /// which nobody draws a tangent lid.
 [[nodiscard]] std::vector<bool> walls_of(const Hole& hole);

@@ -236,5 +236,31 @@ TEST(WishesFor, GivesUpTangencyWhereANeighbourLeadsAway) {
     EXPECT_NE(wishes[1].reason.find("face 2 leads away"), std::string::npos) << wishes[1].reason;
 }
 
+TEST(OddSides, AreThoseWhoseNormalsAreNotTheOthersAtBothEnds) {
+    const Hole window = windows::window_in(Plane{tilted(2.0)}, {{0, 0}, {6, 4}, 5, false});
+    constexpr double kAngle = radians(0.01);
+    EXPECT_EQ(odd_sides(window, kAngle), std::vector<bool>(5, false));
+    const auto turned = [&](std::initializer_list<std::size_t> sides, double angle) {
+        Hole hole = window;
+        for (const std::size_t i : sides) {
+            hole.loops[0].ribbons[i].at = [at = window.loops[0].ribbons[i].at, angle](double s) {
+                RibbonPoint p = at(s);
+                const Eigen::AngleAxisd turn(angle, p.tangent.normalized());
+                p.normal = turn * p.normal;
+                p.inward = turn * p.inward;
+                return p;
+            };
+        }
+        return hole;
+    };
+    for (const double angle : {radians(0.5), -radians(3.0)}) {
+        const auto odd = odd_sides(turned({3}, angle), kAngle);
+        EXPECT_EQ(odd, (std::vector<bool>{false, false, false, true, false}));
+        // Of two beside each other neither is single.
+        EXPECT_EQ(odd_sides(turned({3, 4}, angle), kAngle), std::vector<bool>(5, false));
+    }
+    EXPECT_EQ(odd_sides(turned({3}, radians(0.005)), kAngle), std::vector<bool>(5, false));
+}
+
 }  // namespace
 }  // namespace suture
