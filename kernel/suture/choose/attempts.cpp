@@ -55,7 +55,7 @@ bool left_out(const FillMethod& method, const Hole& hole, const FillRequest& req
 
 /// How much `mvs` may compute; the other methods look for no such option.
 OptionValues work_of(Effort effort) {
-    const double factor = effort == Effort::Quick ? 0.25 : 10.0;
+    const double factor = effort == Effort::Quick ? 0.05 : effort == Effort::Normal ? 0.2 : 10.0;
     return {{"work", {OptionKind::Number, {factor}, {}}}};
 }
 
@@ -70,7 +70,8 @@ std::string plate_name(PlateSetting setting, bool relaxed) {
 std::vector<Attempt> attempts_for(const Site& site, const Hole& hole, const FillRequest& request,
                                   const Tolerance& tolerance) {
     const bool automatic = request.method == "auto";
-    FillOptions options{tolerance, request.progress, request.options};
+    FillOptions options{tolerance, request.progress,
+                        automatic ? work_of(request.effort) : request.options};
     options.noise = measure_noise(site.loops, hole);
     options.candidates = site.candidates;
     options.prefer = request.prefer;
@@ -80,9 +81,6 @@ std::vector<Attempt> attempts_for(const Site& site, const Hole& hole, const Fill
             attempts.push_back({std::string(method.id),
                                 [&, method, options](std::optional<Recognised>& found) {
                                     FillOptions own = options;
-                                    if (automatic && request.effort != Effort::Normal) {
-                                        own.own = work_of(request.effort);
-                                    }
                                     own.recognised = [&](const Recognised& what) { found = what; };
                                     return method.fill(hole, own);
                                 },

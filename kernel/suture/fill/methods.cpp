@@ -33,7 +33,7 @@ std::span<const FillMethod> fill_methods() {
                    Continuity::G1, &fill_loft, kLoftOptions, AutoUse::Bridging},
         FillMethod{"mvs", "The surface whose curvature varies least, as one biquintic face",
                    "Moreton & Sequin, Functional optimization for fair surface design, 1992", "any",
-                   Continuity::G2, &fill_mvs, kMvsOptions},
+                   Continuity::G2, &fill_mvs},
         FillMethod{"quad", "Coons' patch between four sides, one untrimmed face",
                    "Coons, Surfaces for computer-aided design of space forms, 1967", "4",
                    Continuity::G0, &fill_quad},

@@ -103,8 +103,7 @@ Result<FillResult> fill_mvs(const Hole& asked, const FillOptions& options,
     }
     if (fairing->exhausted) {
         result.notes.emplace_back(
-            "a finer net would take too much computing: --effort thorough, or --method mvs "
-            "--option work=10, may come nearer");
+            "a finer net would take too much computing: --effort thorough may come nearer");
     }
     for (const std::string& side : fairing->tangent_only) {
         result.notes.push_back(side +

@@ -2,15 +2,7 @@
 
 #include "suture/fill/fill.h"
 
-#include <array>
-
 namespace suture {
-
-inline constexpr std::array kMvsOptions = {
-    MethodOption{"work", OptionKind::Number, "FACTOR",
-                 "how much it may compute, 1 (default) for some seconds: finer nets come nearer",
-                 0.0},
-};
 
 namespace mvs {
 struct Schedule;
@@ -21,6 +13,8 @@ struct Schedule;
 /// were, everything else as the fairest surface there is. It is C4, but C1 across knot lines
 /// through corners at which no smoother surface is tangent to both neighbours.
 ///
+/// Input     options.own: "work", how much it may compute; 1, where it is not given, for about ten
+///           seconds.
 /// Result    one patch; trims[l][i] is where ribbon i of loop l runs in its domain. Loops after the
 ///           first are islands, hole.through are points to pass through.
 /// Promises  deterministic; the surface is regular on the trimmed domain and faces the neighbours'

@@ -38,7 +38,7 @@ TopoDS_Compound plates(double radius, double tilt) {
 }
 
 TEST(OddSides, GiveTangencyUpWhereTheOthersGain) {
-    for (const double radius : {1e-2, 10.0, 1e4}) {
+    for (const double radius : {1e-2, 1e4}) {
         const TopoDS_Compound open = plates(radius, radians(1.5));
         FillRequest request;
         for (int k = 0; k < kSides; ++k) {

@@ -54,7 +54,7 @@ struct Schedule {
     double within = 0.8;
     // Multiplications of an attempt, about: 1e10 take a second. A net with knot lines may take so
     // much of that, one without the rest; a level begins where so many steps of it are affordable.
-    double most_work = 2e10;
+    double most_work = 1e11;
     double share_of_lines = 0.75;
     double steps_ahead = 2.0;
     // Attempts with curvature along sides that may give it up get so much each, the last one, with

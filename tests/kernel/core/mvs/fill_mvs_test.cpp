@@ -552,7 +552,7 @@ TEST(FillMvs, EndsWhereMoreWouldBeTooMuchWork) {
     };
     const auto says = [](const Result<FillResult>& fill) {
         return std::ranges::any_of(fill->notes, [](const std::string& note) {
-            return note.find("--option work=10") != std::string::npos;
+            return note.find("--effort thorough") != std::string::npos;
         });
     };
     FillOptions little;
