@@ -115,16 +115,19 @@ Hole with_less_curvature(const Hole& hole, bool all, std::vector<std::string>& n
     return result;
 }
 
+bool asks_for_curvature(const Hole& hole) {
+    return std::ranges::any_of(hole.loops, [](const RibbonLoop& loop) {
+        return std::ranges::any_of(
+            loop.ribbons, [](const Ribbon& ribbon) { return ribbon.continuity >= Continuity::G2; });
+    });
+}
+
 }  // namespace
 
 Result<Fairing> fair(const Hole& hole, const Layout& layout, const FillOptions& options,
                      const Schedule& schedule) {
-    const bool curved = std::ranges::any_of(hole.loops, [&](const RibbonLoop& loop) {
-        return std::ranges::any_of(
-            loop.ribbons, [](const Ribbon& ribbon) { return ribbon.continuity >= Continuity::G2; });
-    });
-    const double some =
-        curved ? schedule.share_of_curvature * schedule.most_work : schedule.most_work;
+    const double some = asks_for_curvature(hole) ? schedule.share_of_curvature * schedule.most_work
+                                                 : schedule.most_work;
     Result<Fairing> best = best_attempt(hole, layout, options, schedule, some);
     std::size_t given_up = 0;
     for (const bool all : {false, true}) {
@@ -137,8 +140,8 @@ Result<Fairing> fair(const Hole& hole, const Layout& layout, const FillOptions& 
             continue;
         }
         given_up = names.size();
-        Result<Fairing> fairing =
-            best_attempt(less, layout, options, schedule, all ? schedule.most_work : some);
+        Result<Fairing> fairing = best_attempt(
+            less, layout, options, schedule, asks_for_curvature(less) ? some : schedule.most_work);
         if (!fairing) {
             return fairing;
         }
