@@ -2166,6 +2166,31 @@ oder installieren oder angeben, wo es ist: Bearbeiten &gt; Einstellungen &gt; Su
     </message>
     <message>
       <location filename="program.txt" />
+      <source>gap {0}, angle {1} deg, curvature {2} %</source>
+      <translation>Spalt {0}, Winkel {1} Grad, Krümmung {2} %</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>{0} x {1} poles</source>
+      <translation>{0} x {1} Pole</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>a finer net would take too much computing: --effort thorough may come nearer</source>
+      <translation>ein feineres Netz würde zu viel rechnen: mit Aufwand „thorough“ kommt sie vielleicht näher</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>the net of {0} x {1} poles is not finite after {2} steps</source>
+      <translation>das Netz mit {0} x {1} Polen ist nach {2} Schritten nicht endlich</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>{0}: no finite point, normal, tangent across and curvature at {1}</source>
+      <translation>{0}: bei {1} sind Punkt, Normale, Quertangente und Krümmung nicht alle endlich</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
       <source>there is no method '{0}'; the methods are {1}</source>
       <translation>es gibt keine Methode '{0}'; die Methoden sind {1}</translation>
     </message>
@@ -2228,6 +2253,11 @@ oder installieren oder angeben, wo es ist: Bearbeiten &gt; Einstellungen &gt; Su
       <location filename="program.txt" />
       <source>auto: position only, for tangency was tried: {0}</source>
       <translation>auto: nur Lage, denn tangential wurde versucht: {0}</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>auto: position only, for at both ends the neighbour's normal is not the others'</source>
+      <translation>auto: nur Lage, denn an beiden Enden hat der Nachbar eine andere Normale als die übrigen</translation>
     </message>
     <message>
       <location filename="program.txt" />
@@ -3143,6 +3173,21 @@ oder installieren oder angeben, wo es ist: Bearbeiten &gt; Einstellungen &gt; Su
       <location filename="program.txt" />
       <source>manifold takes one loop, this hole has {0}</source>
       <translation>manifold nimmt einen Rand, dieses Loch hat {0}</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>without a guide: {0}</source>
+      <translation>ohne Leitfläche: {0}</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>{0} from the surface of least variation</source>
+      <translation>{0} von der Fläche der geringsten Krümmungsänderung</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>towards the surface of least variation {0}</source>
+      <translation>hin zur Fläche der geringsten Krümmungsänderung {0}</translation>
     </message>
     <message>
       <location filename="program.txt" />
