@@ -125,6 +125,13 @@ std::vector<Motion> motions(const std::vector<Matrix3Xd>& hole, const LoopPoints
     return found;
 }
 
+Eigen::Isometry3d isometry(const Motion& motion) {
+    Eigen::Isometry3d result = Eigen::Isometry3d::Identity();
+    result.linear() = motion.R;
+    result.translation() = motion.t;
+    return result;
+}
+
 gp_Trsf to_occ(const Motion& motion) {
     gp_Trsf result;
     const Matrix3d& R = motion.R;
@@ -191,7 +198,8 @@ std::vector<Candidate> find_twins(const std::vector<TopoDS_Face>& faces,
             {*surface, "twin",
              fmt::format("{} of face {}", mirrored ? "mirrored twin" : "twin",
                          numbering.of(twin.face)),
-             std::min(1.5 * noise, kCongruent * hole.diameter) + 2.0 * twin.motion.miss});
+             std::min(1.5 * noise, kCongruent * hole.diameter) + 2.0 * twin.motion.miss, 1.0,
+             TwinSource{numbering.of(twin.face), isometry(twin.motion)}});
     }
     return candidates;
 }

@@ -1,5 +1,7 @@
 #include "suture/choose/asked.h"
 
+#include "suture/ribbon/noise.h"
+
 #include <Eigen/Geometry>
 
 #include <BRep_Tool.hxx>
@@ -35,6 +37,7 @@ void add_corner(const Ribbon& before, const Ribbon& after, AskedSide& side) {
 AskedFill asked_of(const std::vector<BoundaryLoop>& loops, const Hole& hole,
                    const std::vector<Wish>& wishes, const Tolerance& tolerance) {
     AskedFill asked;
+    const std::vector<double> noise = noise_of_sides(loops, hole);
     asked.hole = loops.front().id;
     asked.diameter = hole.diameter;
     asked.tolerance = tolerance;
@@ -48,6 +51,7 @@ AskedFill asked_of(const std::vector<BoundaryLoop>& loops, const Hole& hole,
             side.supported = !loops[l].edges[i].support.IsNull();
             side.continuity = ribbons[i].continuity;
             side.tolerance = BRep_Tool::Tolerance(loops[l].edges[i].edge);
+            side.noise = noise[asked.sides.size()];
             add_corner(ribbons[(i + n - 1) % n], ribbons[i], side);
             add_corner(ribbons[i], ribbons[(i + 1) % n], side);
             if (!wishes.empty()) {
@@ -61,11 +65,16 @@ AskedFill asked_of(const std::vector<BoundaryLoop>& loops, const Hole& hole,
     return asked;
 }
 
-void account_for(const FillResult& fill, bool recognised, AskedFill& asked) {
+void account_for(const FillResult& fill, bool recognised, const std::optional<TwinFigures>& twin,
+                 AskedFill& asked) {
     asked.closed_form = std::none_of(
         fill.patches.begin(), fill.patches.end(),
         [](const Patch& patch) { return std::holds_alternative<SplineSurface>(patch.surface); });
     asked.recognised = recognised;
+    asked.twin_folds = twin && twin->folds;
+    for (std::size_t i = 0; i < asked.sides.size(); ++i) {
+        asked.sides[i].of_twin = twin ? twin->angles[i] : std::nullopt;
+    }
 }
 
 }  // namespace suture

@@ -1,11 +1,13 @@
 #pragma once
 
+#include "suture/choose/twin_figures.h"
 #include "suture/choose/wishes.h"
 #include "suture/detect/boundary_loop.h"
 #include "suture/judge/judge_fill.h"
 #include "suture/model/patch.h"
 #include "suture/model/ribbon.h"
 
+#include <optional>
 #include <vector>
 
 namespace suture {
@@ -18,9 +20,10 @@ namespace suture {
                                  const std::vector<Wish>& wishes, const Tolerance& tolerance);
 
 /// Adds what a fill says of itself: that its surfaces have a closed form, that it is the lost
-/// surface.
+/// surface; and what that one's twin has, if it was measured.
 ///
-/// Changes  asked: closed_form, recognised.
-void account_for(const FillResult& fill, bool recognised, AskedFill& asked);
+/// Changes  asked: closed_form, recognised, twin_folds, the sides' of_twin.
+void account_for(const FillResult& fill, bool recognised, const std::optional<TwinFigures>& twin,
+                 AskedFill& asked);
 
 }  // namespace suture

@@ -72,19 +72,22 @@ std::vector<Attempt> attempts_for(const Site& site, const Hole& hole, const Fill
     const bool automatic = request.method == "auto";
     FillOptions options{tolerance, request.progress,
                         automatic ? work_of(request.effort) : request.options};
+    options.side_noise = noise_of_sides(site.loops, hole);
     options.noise = measure_noise(site.loops, hole);
     options.candidates = site.candidates;
     options.prefer = request.prefer;
     std::vector<Attempt> attempts;
     for (const FillMethod& method : fill_methods()) {
         if (automatic ? !left_out(method, hole, request) : request.method == method.id) {
-            attempts.push_back({std::string(method.id),
-                                [&, method, options](std::optional<Recognised>& found) {
-                                    FillOptions own = options;
-                                    own.recognised = [&](const Recognised& what) { found = what; };
-                                    return method.fill(hole, own);
-                                },
-                                /*closer=*/automatic && method.in_auto == AutoUse::NearMiss});
+            attempts.push_back(
+                {std::string(method.id),
+                 [&, method, options](std::optional<Recognised>& found, int passed_over) {
+                     FillOptions own = options;
+                     own.passed_over = passed_over;
+                     own.recognised = [&](const Recognised& what) { found = what; };
+                     return method.fill(hole, own);
+                 },
+                 /*closer=*/automatic && method.in_auto == AutoUse::NearMiss});
         }
     }
     std::stable_partition(attempts.begin(), attempts.end(),
@@ -95,14 +98,14 @@ std::vector<Attempt> attempts_for(const Site& site, const Hole& hole, const Fill
                               [](const Attempt& attempt) { return attempt.name == "plane"; });
     }
     const auto plate = [&](PlateSetting setting, bool relaxed = false) {
-        attempts.push_back({plate_name(setting, relaxed),
-                            [&, setting, relaxed](std::optional<Recognised>& /*found*/) {
-                                return fill_with_plate(
-                                    site.loops, relaxed ? without_tangency(hole) : hole, setting,
-                                    request.plate_limit, request.progress);
-                            },
-                            /*closer=*/false, /*slow=*/true,
-                            /*last_resort=*/automatic && relaxed});
+        attempts.push_back(
+            {plate_name(setting, relaxed),
+             [&, setting, relaxed](std::optional<Recognised>& /*found*/, int /*passed_over*/) {
+                 return fill_with_plate(site.loops, relaxed ? without_tangency(hole) : hole,
+                                        setting, request.plate_limit, request.progress);
+             },
+             /*closer=*/false, /*slow=*/true,
+             /*last_resort=*/automatic && relaxed});
     };
     if (automatic) {
         plate(PlateSetting::Default);

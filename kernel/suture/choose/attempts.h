@@ -19,7 +19,9 @@ namespace suture {
 struct Attempt {
     std::string name;
     /// Sets what was recognised, if anything.
-    std::function<Result<FillResult>(std::optional<Recognised>&)> fill;
+    ///
+    /// Input    passed_over: so many of the surfaces that are recognised turned out to be bad.
+    std::function<Result<FillResult>(std::optional<Recognised>&, int passed_over)> fill;
     bool closer = false;       ///< for a hole that the others miss by a little
     bool slow = false;         ///< OCCT's filling
     bool last_resort = false;  ///< position only, where nothing else is worth taking

@@ -50,6 +50,9 @@ bool worthwhile(const Attempt& attempt, const std::optional<Choice>& best, bool 
            !(attempt.slow && automatic && best && best->near());
 }
 
+/// So many surfaces that are recognised are tried where one after the other is bad.
+constexpr int kRecognised = 4;
+
 /// How a candidate stands among the others: the less the better.
 struct Rank {
     bool bad = false;
@@ -157,43 +160,64 @@ class Contest {
         return std::move(*best_);
     }
 
+    /// Of what is recognised, the next one as well where one is bad.
     void enter(const Attempt& attempt) {
-        const auto start = Clock::now();
-        std::optional<Recognised> recognised;
-        auto fill = attempt.fill(recognised);
-        seconds_ += std::chrono::duration<double>(Clock::now() - start).count();
-        if (!fill) {
-            verdicts_.push_back(attempt.name + ": " + fill.error().message);
-            return;
-        }
-        auto trial = try_fill(site_, hole_, *fill, tolerance_, request_.progress);
-        if (!trial) {
-            verdicts_.push_back(attempt.name + ": " + trial.error().message);
-            return;
-        }
-        AskedFill wanted = attempt.last_resort ? less_ : recognised ? unhoped_ : asked_;
-        account_for(*fill, recognised.has_value(), wanted);
-        Judgement verdict = judge_fill(wanted, trial->measures);
-        const auto leads = [&] { return !best_ || rank_of(verdict) < rank_of(best_->verdict); };
-        // Clashes take longest: they are looked for where all else is good enough to be taken.
-        if (verdict.severity != Severity::Bad && leads()) {
-            if (auto done = add_clashes(site_, hole_, tolerance_, request_.progress, *trial);
-                !done) {
-                verdicts_.push_back(attempt.name + ": " + done.error().message);
+        bool bad = true;
+        for (int passed_over = 0; bad && passed_over < kRecognised; ++passed_over) {
+            auto choice = tried(attempt, passed_over);
+            if (!choice) {
+                if (passed_over == 0) {
+                    verdicts_.push_back(attempt.name + ": " + choice.error().message);
+                }
                 return;
             }
-            verdict = judge_fill(wanted, trial->measures);
+            verdicts_.push_back(
+                sentence(attempt.name, choice->verdict, choice->fill, choice->measures));
+            bad = choice->recognised && choice->verdict.severity == Severity::Bad;
+            if (leads(choice->verdict)) {
+                best_ = std::move(*choice);
+            }
         }
-        verdicts_.push_back(sentence(attempt.name, verdict, *fill, trial->measures));
-        if (leads()) {
-            best_ = Choice{attempt.name,
-                           std::move(*fill),
-                           std::move(trial->measures),
-                           std::move(verdict),
-                           {},
-                           0.0,
-                           std::move(recognised)};
+    }
+
+    /// Input    passed_over: as in Attempt::fill.
+    Result<Choice> tried(const Attempt& attempt, int passed_over) {
+        const auto start = Clock::now();
+        Choice choice;
+        choice.method = attempt.name;
+        auto fill = attempt.fill(choice.recognised, passed_over);
+        seconds_ += std::chrono::duration<double>(Clock::now() - start).count();
+        if (!fill) {
+            return tl::unexpected(fill.error());
         }
+        choice.fill = std::move(*fill);
+        auto trial = try_fill(site_, hole_, choice.fill, tolerance_, request_.progress);
+        if (!trial) {
+            return tl::unexpected(trial.error());
+        }
+        const bool recognised = choice.recognised.has_value();
+        AskedFill wanted = attempt.last_resort ? less_ : recognised ? unhoped_ : asked_;
+        account_for(choice.fill, recognised, {}, wanted);
+        choice.verdict = judge_fill(wanted, trial->measures);
+        if (!choice.verdict.within() && recognised && choice.recognised->twin) {
+            choice.twin = measure_twin(site_, hole_, *choice.recognised->twin, request_.progress);
+            account_for(choice.fill, recognised, choice.twin, wanted);
+            choice.verdict = judge_fill(wanted, trial->measures);
+        }
+        // Clashes take longest: they are looked for where all else is good enough to be taken.
+        if (choice.verdict.severity != Severity::Bad && leads(choice.verdict)) {
+            if (auto done = add_clashes(site_, hole_, tolerance_, request_.progress, *trial);
+                !done) {
+                return tl::unexpected(done.error());
+            }
+            choice.verdict = judge_fill(wanted, trial->measures);
+        }
+        choice.measures = std::move(trial->measures);
+        return choice;
+    }
+
+    [[nodiscard]] bool leads(const Judgement& verdict) const {
+        return !best_ || rank_of(verdict) < rank_of(best_->verdict);
     }
 
     const Site& site_;

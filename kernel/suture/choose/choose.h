@@ -3,6 +3,7 @@
 #include "suture/base/result.h"
 #include "suture/choose/request.h"
 #include "suture/choose/trial.h"
+#include "suture/choose/twin_figures.h"
 #include "suture/judge/judge_fill.h"
 #include "suture/model/patch.h"
 #include "suture/model/recognised.h"
@@ -25,6 +26,7 @@ struct Choice {
     std::string reason;
     double seconds = 0.0;  ///< in the fill methods, all that were tried
     std::optional<Recognised> recognised;
+    std::optional<TwinFigures> twin;  ///< of the face whose copy it is, where that was measured
     bool relaxed = false;  ///< position only, along all sides that nobody asked to be smooth
 
     /// OCCT's filling, which can take a minute, would not come noticeably nearer.

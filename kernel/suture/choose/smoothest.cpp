@@ -40,18 +40,29 @@ bool is_shaped(const Result<Choice>& choice) {
     return choice &&
            std::none_of(choice->verdict.findings.begin(), choice->verdict.findings.end(),
                         [](const Finding& finding) {
-                            return finding.severity == Severity::Bad &&
+                            return finding.severity == Severity::Bad && !finding.before &&
                                    (finding.kind != FindingKind::Angle || finding.value > kFolded);
                         });
 }
 
+/// Whether a fill is as sharp along an edge as the model was.
+bool was_sharp(int edge, const Choice& choice) {
+    return std::ranges::any_of(choice.verdict.findings, [&](const Finding& finding) {
+        return finding.kind == FindingKind::Angle && finding.edge == edge && finding.before;
+    });
+}
+
 /// Which sides ask for tangency by our own choice and came out sharp; none without a fill.
-std::vector<bool> sharp_sides(const std::vector<Wish>& wishes, const Result<Choice>& choice) {
+std::vector<bool> sharp_sides(Hole& hole, const std::vector<Wish>& wishes,
+                              const Result<Choice>& choice) {
     std::vector<bool> sharp(wishes.size(), false);
-    for (std::size_t i = 0; is_shaped(choice) && i < wishes.size(); ++i) {
-        sharp[i] = wishes[i].own && wishes[i].continuity == Continuity::G1 &&
-                   choice->measures.sides[i].max_angle > kSharp;
+    if (!is_shaped(choice)) {
+        return sharp;
     }
+    for_each_side(hole, [&](const Ribbon& ribbon, std::size_t i) {
+        sharp[i] = wishes[i].own && wishes[i].continuity == Continuity::G1 &&
+                   choice->measures.sides[i].max_angle > kSharp && !was_sharp(ribbon.edge, *choice);
+    });
     return sharp;
 }
 
@@ -101,7 +112,8 @@ std::optional<Choice> without_odd_sides(const Site& site, Hole& hole, std::vecto
     std::vector<Wish> fewer = wishes;
     relax(odd, "auto: position only, for at both ends the neighbour's normal is not the others'",
           relaxed, fewer);
-    const AskedFill others = asked_of(site.loops, relaxed, {}, tolerance);
+    AskedFill others = asked_of(site.loops, relaxed, {}, tolerance);
+    account_for(tangent.fill, tangent.recognised.has_value(), tangent.twin, others);
     const double before = judge_fill(others, tangent.measures).score;
     if (!std::ranges::any_of(fewer, &Wish::given_up) || before <= 1.0) {
         return std::nullopt;
@@ -115,6 +127,7 @@ std::optional<Choice> without_odd_sides(const Site& site, Hole& hole, std::vecto
             return std::nullopt;
         }
     }
+    account_for(choice->fill, choice->recognised.has_value(), choice->twin, others);
     if (kGain * judge_fill(others, choice->measures).score > before) {
         return std::nullopt;
     }
@@ -139,7 +152,7 @@ Result<Choice> choose_tangent(const Site& site, Hole& hole, std::vector<Wish>& w
         earlier ? choose_further(site, hole, request, tolerance, *std::move(earlier), Left::Closer)
                 : choose_fill(site, hole, request, tolerance, Tries::Own);
     const bool shaped = is_shaped(tangent);
-    const std::vector<bool> sharp = sharp_sides(wishes, tangent);
+    const std::vector<bool> sharp = sharp_sides(hole, wishes, tangent);
     if (!tangent && tangent.error().code == ErrorCode::Cancelled) {
         return tangent;
     }
@@ -165,7 +178,7 @@ Result<Choice> choose_tangent(const Site& site, Hole& hole, std::vector<Wish>& w
         relax(sides, why, relaxed, fewer);
         auto choice = choose_fill(site, relaxed, request, tolerance, Tries::Own);
         seconds += choice ? choice->seconds : 0.0;
-        if (choice && choice->near() && !any(sharp_sides(fewer, choice))) {
+        if (choice && choice->near() && !any(sharp_sides(relaxed, fewer, choice))) {
             choice->seconds = seconds;
             hole = std::move(relaxed);
             wishes = std::move(fewer);
@@ -212,7 +225,7 @@ Result<Choice> choose_smoothest(const Site& site, Hole& hole, std::vector<Wish>&
     });
     if (smooth) {
         AskedFill asked = asked_of(site.loops, hole, wishes, tolerance);
-        account_for(smooth->fill, smooth->recognised.has_value(), asked);
+        account_for(smooth->fill, smooth->recognised.has_value(), smooth->twin, asked);
         smooth->verdict = judge_fill(asked, smooth->measures);
         if (smooth->verdict.within()) {
             return smooth;

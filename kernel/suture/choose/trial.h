@@ -8,6 +8,7 @@
 #include "suture/fill/fill.h"
 #include "suture/model/patch.h"
 #include "suture/model/ribbon.h"
+#include "suture/occ/topology.h"
 
 #include <TopoDS_Compound.hxx>
 #include <TopoDS_Shape.hxx>
@@ -23,6 +24,8 @@ struct Site {
     CandidateFinder candidates = {};         ///< surfaces of the model for it
     std::size_t guides = 0;                ///< so many of the hole's last points only guide a fill
     std::vector<std::string> spoilt = {};  ///< names of the fills that a file spoils
+    /// Of the model that the shape is part of; null: it has no twins.
+    const occ::Numbering* numbering = nullptr;
 };
 
 /// A fill in the model, for trial: its faces stand on copies of the hole's edges and of the faces

@@ -9,6 +9,7 @@
 #include "suture/model/ribbon.h"
 
 #include <functional>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -24,6 +25,7 @@ struct Candidate {
     std::string from;
     double allowed = 0.0;  ///< how far it may miss the border by its origin, in model units
     double chance = 1.0;   ///< how probable it is that another one is as plain
+    std::optional<TwinSource> twin = {};  ///< of a twin: the face that it is a copy of
 };
 
 /// Looks for such surfaces: asked only where they are needed, thread safe.
@@ -40,7 +42,9 @@ struct FillOptions {
     Progress progress;
     OptionValues own;    ///< of the options that the method itself declares
     double noise = 0.0;  ///< how far the model's edges lie off its faces here, in model units
+    std::vector<double> side_noise = {};  ///< the same of each side, loop by loop; may be empty
     CandidateFinder candidates = {};
+    int passed_over = 0;  ///< so many of the surfaces that are recognised turned out to be bad
     Prefer prefer = Prefer::Tight;
     /// Told by a method that knows the lost surface again.
     std::function<void(const Recognised&)> recognised = {};

@@ -112,9 +112,6 @@ Result<FillResult> deliver(const Proposal& proposal, const Hole& hole, const Fil
     patch.fit_error = proposal.fit_error;
     result->notes.push_back("recognised: " +
                             recognise::sentence(proposal.what, proposal.agreement, proposal.facts));
-    if (options.recognised) {
-        options.recognised(proposal.what);
-    }
     return result;
 }
 
@@ -122,14 +119,22 @@ Result<FillResult> deliver(const Proposal& proposal, const Hole& hole, const Fil
 
 Result<FillResult> fill_recognise(const Hole& hole, const FillOptions& options) {
     SUTURE_EXPECTS(!hole.loops.empty() && !hole.loops.front().ribbons.empty());
-    const Border border = recognise::border_of(hole, options.noise);
+    const Border border = recognise::border_of(hole, options.noise, options.side_noise);
     Refusals refusals;
+    int passed = 0;
     for (const Proposal& proposal : proposals_for(border, hole, options, refusals)) {
         auto result = deliver(proposal, hole, options);
-        if (result) {
+        if (!result) {
+            refusals.add(proposal.what.kind, result.error().message);
+        } else if (passed < options.passed_over) {
+            ++passed;
+            refusals.add(proposal.what.from, "bad where it was tried");
+        } else {
+            if (options.recognised) {
+                options.recognised(proposal.what);
+            }
             return result;
         }
-        refusals.add(proposal.what.kind, result.error().message);
     }
     if (refusals.text().empty()) {
         return fail(ErrorCode::Refused,

@@ -110,7 +110,7 @@ void take(Choice choice, const FillRequest& request, ComputedFill& computed) {
             rename_kind(own->kind, *choice.recognised, report.notes);
         }
     }
-    account_for(choice.fill, choice.recognised.has_value(), report.asked);
+    account_for(choice.fill, choice.recognised.has_value(), choice.twin, report.asked);
     set_figures(choice.measures, report);
     report.clashes = std::move(choice.measures.clashes);
     report.overlays = std::move(choice.measures.overlays);
@@ -126,7 +126,7 @@ void take(Choice choice, const FillRequest& request, ComputedFill& computed) {
 }
 
 ComputedFill compute_fill(const TopoDS_Shape& shape, const HolePlan& plan,
-                          const FillRequest& request) {
+                          const occ::Numbering* numbering, const FillRequest& request) {
     const auto start = Clock::now();
     ComputedFill computed;
     computed.loops = plan.loops;
@@ -138,8 +138,8 @@ ComputedFill compute_fill(const TopoDS_Shape& shape, const HolePlan& plan,
     computed.hole = *plan.hole;
     computed.report.through = request.through;
     std::vector<Wish> wishes = plan.wishes;
-    auto choice = choose_smoothest({shape, plan.loops, plan.candidates, plan.guides, plan.spoilt},
-                                   computed.hole, wishes, request, request.tolerance);
+    const Site site{shape, plan.loops, plan.candidates, plan.guides, plan.spoilt, numbering};
+    auto choice = choose_smoothest(site, computed.hole, wishes, request, request.tolerance);
     computed.seconds_choose = seconds_since(start);
     report_wishes(plan.loops, computed.hole, wishes, computed.report);
     computed.report.asked = asked_of(plan.loops, computed.hole, wishes, request.tolerance);
@@ -167,7 +167,7 @@ Result<std::vector<ComputedFill>> compute_fills(const TopoDS_Shape& shape, const
         if (request.progress.cancelled()) {
             return;
         }
-        computed[i] = compute_fill(shape, plan.holes[i], one);
+        computed[i] = compute_fill(shape, plan.holes[i], plan.numbering, one);
         const std::lock_guard lock(reporting);
         ++done;
         request.progress(static_cast<double>(done) / static_cast<double>(plan.holes.size()),

@@ -225,7 +225,7 @@ Result<FillPlan> plan_fills(const TopoDS_Shape& shape, const occ::Numbering& num
                     "points to pass through belong to one hole, not to {}: choose it with --hole",
                     selection->holes.size());
     }
-    FillPlan plan{{}, selection->skipped};
+    FillPlan plan{{}, selection->skipped, &numbering};
     for (const std::vector<BoundaryLoop>& hole : selection->holes) {
         plan.holes.push_back(plan_of(shape, numbering, hole, request));
     }

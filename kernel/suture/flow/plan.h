@@ -28,6 +28,7 @@ struct HolePlan {
 struct FillPlan {
     std::vector<HolePlan> holes;
     std::vector<HoleReport> skipped;
+    const occ::Numbering* numbering = nullptr;  ///< as given
 };
 
 /// Looks and decides what is wanted: loops, which of them, ribbons, wishes. Changes nothing.

@@ -43,7 +43,7 @@ class Judge {
             add(std::move(finding), Severity::Poor);
             return;
         }
-        gap(edge, side.edge, side.corner_gap);
+        gap(edge, side.edge, side.corner_gap, side.noise);
         if (side.continuity >= Continuity::G1) {
             angle(edge, &side);
         } else {
@@ -56,7 +56,7 @@ class Judge {
 
     /// An edge between new faces has to be as smooth as the smoothest side.
     void inner(const EdgeContinuity& edge, Continuity wanted) {
-        gap(edge, 0, 0.0);
+        gap(edge, 0, 0.0, 0.0);
         if (wanted >= Continuity::G1) {
             angle(edge, nullptr);
         }
@@ -96,7 +96,12 @@ class Judge {
                                                       "two of its normals are {:.0f} deg "
                                                       "apart there",
                                                       degrees(fold.angle));
-                add(std::move(finding), Severity::Bad);
+                if (asked_.twin_folds && !fold.backwards) {
+                    finding.before = true;
+                    finding.detail += ", as in the face that it is a copy of";
+                }
+                const Severity severity = finding.before ? Severity::Poor : Severity::Bad;
+                add(std::move(finding), severity);
             }
         }
         const double ratio = measures.area.ratio();
@@ -242,23 +247,35 @@ class Judge {
         add(std::move(finding), severity);
     }
 
-    void gap(const EdgeContinuity& edge, int number, double forced) {
+    void gap(const EdgeContinuity& edge, int number, double forced, double noise_there) {
         Finding finding = make(FindingKind::Gap, edge.max_gap, asked_.tolerance.linear);
         finding.edge = number;
         finding.at = edge.gap_at;
         if (asked_.recognised) {
-            forced = std::max(forced, kOwnGap * asked_.diameter);
+            forced = std::max({forced, kOwnGap * asked_.diameter, kForced * noise_there});
         }
         const bool noise = forced <= kBadGap * asked_.diameter;
         add_forced(std::move(finding), of_gap(edge.max_gap, asked_.tolerance.linear),
                    noise ? forced : 0.0);
     }
 
+    /// Whether the face of which the fill is a copy is as sharp there, all along.
+    static bool as_twin(const EdgeContinuity& edge, const AskedSide* side) {
+        return side != nullptr && !side->supported && side->of_twin &&
+               std::abs(edge.max_angle - side->of_twin->largest) <= kOwnNoise &&
+               std::abs(edge.min_angle - side->of_twin->least) <= kOwnNoise;
+    }
+
     void angle(const EdgeContinuity& edge, const AskedSide* side) {
         Finding finding = make(FindingKind::Angle, edge.max_angle, asked_.tolerance.angular);
         finding.at = edge.angle_at;
         double forced = 0.0;
-        if (side != nullptr) {
+        const bool twins = as_twin(edge, side);
+        if (twins) {
+            finding.edge = side->edge;
+            forced = edge.max_angle;
+            finding.detail = "as the face that it is a copy of meets its own neighbour";
+        } else if (side != nullptr) {
             finding.edge = side->edge;
             forced = side->corner_angle;
             if (asked_.recognised && forced < edge.max_angle && edge.max_angle <= kOwnNoise) {
@@ -274,7 +291,7 @@ class Judge {
         const bool explained = edge.max_angle <= kForced * forced;
         add_forced(std::move(finding),
                    of_angle(edge.max_angle, asked_.tolerance.angular, !explained),
-                   forced <= kOwnNoise ? forced : 0.0);
+                   twins || forced <= kOwnNoise ? forced : 0.0);
     }
 
     void curvature(const EdgeContinuity& edge, int number) {

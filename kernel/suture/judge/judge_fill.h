@@ -5,10 +5,16 @@
 #include "suture/judge/finding.h"
 #include "suture/model/continuity.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace suture {
+
+/// The angles along an edge, radians.
+struct AngleRange {
+    double least = 0.0, largest = 0.0;
+};
 
 /// What was asked of a fill along one side, and what the surroundings leave possible there.
 struct AskedSide {
@@ -22,6 +28,10 @@ struct AskedSide {
     /// can be nearer. Model units and radians.
     double corner_gap = 0.0, corner_angle = 0.0;
     double tolerance = 0.0;  ///< of the edge, in the input
+    double noise = 0.0;      ///< how far the edge lies off its neighbour, in the input, model units
+    /// Of a fill that is a copy of a congruent face of the model: how that one meets its own
+    /// neighbour along this side, if it has one there.
+    std::optional<AngleRange> of_twin;
 };
 
 /// What was asked of a fill.
@@ -32,8 +42,11 @@ struct AskedFill {
     /// A cylinder, a ball or the like, which goes as far as it goes: it is no balloon.
     bool closed_form = false;
     /// It is the surface that the lost face had: what its sides miss is the model's own noise, up
-    /// to kOwnNoise in angle and kOwnGap in position.
+    /// to kOwnNoise in angle, and in position to kOwnGap or to what an edge misses its own
+    /// neighbour by.
     bool recognised = false;
+    /// The face that it is a copy of folds itself.
+    bool twin_folds = false;
     Tolerance tolerance;  ///< the request's: the one that every figure is held against
 };
 

@@ -28,14 +28,19 @@ double noise_along(const BoundaryEdge& edge, const Ribbon& ribbon) {
 
 }  // namespace
 
-double measure_noise(const std::vector<BoundaryLoop>& loops, const Hole& hole) {
-    double noise = 0.0;
+std::vector<double> noise_of_sides(const std::vector<BoundaryLoop>& loops, const Hole& hole) {
+    std::vector<double> noise;
     for (std::size_t l = 0; l < loops.size(); ++l) {
         for (std::size_t i = 0; i < loops[l].edges.size(); ++i) {
-            noise = std::max(noise, noise_along(loops[l].edges[i], hole.loops[l].ribbons[i]));
+            noise.push_back(noise_along(loops[l].edges[i], hole.loops[l].ribbons[i]));
         }
     }
     return noise;
+}
+
+double measure_noise(const std::vector<BoundaryLoop>& loops, const Hole& hole) {
+    const std::vector<double> noise = noise_of_sides(loops, hole);
+    return noise.empty() ? 0.0 : std::ranges::max(noise);
 }
 
 }  // namespace suture

@@ -13,4 +13,8 @@ namespace suture {
 /// Input    hole: of these loops.
 [[nodiscard]] double measure_noise(const std::vector<BoundaryLoop>& loops, const Hole& hole);
 
+/// The same side by side, loop by loop.
+[[nodiscard]] std::vector<double> noise_of_sides(const std::vector<BoundaryLoop>& loops,
+                                                 const Hole& hole);
+
 }  // namespace suture

@@ -124,6 +124,59 @@ TEST(JudgeFill, AsksNoMoreThanTheNeighboursHaveThemselves) {
     EXPECT_EQ(fill.judgement().severity, Severity::Poor);
 }
 
+TEST(JudgeFill, TakesWhatTheFaceHasThatAFillCopiesForTheModelsOwn) {
+    Fill fill;
+    fill.asked.recognised = true;
+    EdgeContinuity& side = fill.measures.sides[2];
+    side.max_angle = radians(179.9);
+    side.min_angle = radians(178.0);
+    EXPECT_EQ(fill.judgement().severity, Severity::Bad);
+    std::optional<AngleRange>& of_twin = fill.asked.sides[2].of_twin;
+    of_twin = {radians(178.5), radians(179.5)};
+    EXPECT_TRUE(fill.judgement().within());
+    EXPECT_TRUE(fill.only().before);
+    EXPECT_EQ(fill.only().edge, 12);
+    // The one that it copies is sharp as well, but otherwise: an edge of a body is no skin turned
+    // over. Or it is so in one place.
+    of_twin = {radians(60.0), radians(61.0)};
+    EXPECT_EQ(fill.judgement().severity, Severity::Bad);
+    of_twin = {radians(60.0), radians(179.5)};
+    EXPECT_EQ(fill.judgement().severity, Severity::Bad);
+    side.min_angle = radians(60.0);
+    of_twin = {radians(178.0), radians(179.5)};
+    EXPECT_EQ(fill.judgement().severity, Severity::Bad);
+    of_twin.reset();
+    EXPECT_EQ(fill.judgement().severity, Severity::Bad);
+}
+
+TEST(JudgeFill, TakesAFoldForTheModelsOwnWhereTheFaceFoldsThatAFillCopies) {
+    Fill fill;
+    fill.asked.recognised = true;
+    FaceFold fold;
+    fold.face = 30;
+    fold.verdict = FoldVerdict::Fold;
+    fill.measures.folds.push_back(fold);
+    EXPECT_EQ(fill.judgement().severity, Severity::Bad);
+    fill.asked.twin_folds = true;
+    EXPECT_TRUE(fill.judgement().within());
+    EXPECT_TRUE(fill.only().before);
+    // That it runs against its border is the fill's own.
+    fill.measures.folds.front().backwards = true;
+    EXPECT_EQ(fill.judgement().severity, Severity::Bad);
+}
+
+TEST(JudgeFill, LetsARecognisedFaceMissAnEdgeAsItsNeighbourDoes) {
+    Fill fill;
+    fill.measures.sides[1].max_gap = 0.05;
+    fill.asked.sides[1].noise = 0.04;
+    EXPECT_EQ(fill.only().severity, Severity::Poor);
+    EXPECT_FALSE(fill.only().before);
+    fill.asked.recognised = true;
+    EXPECT_TRUE(fill.only().before);
+    fill.measures.sides[1].max_gap = 0.061;
+    EXPECT_FALSE(fill.only().before);
+}
+
 TEST(JudgeFill, JudgesGivenUpTangencyUnlessItWasAWall) {
     Fill fill;
     fill.asked.sides[0].continuity = Continuity::G0;

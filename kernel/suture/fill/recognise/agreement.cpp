@@ -21,12 +21,12 @@ constexpr double kGap = 3e-5;
 constexpr double kGapOfNoisy = 6e-5;
 constexpr double kNoisy = 4e-5;
 
-/// Models less exact than this do not tell right surfaces from wrong ones.
-constexpr double kTooNoisy = 2.5e-4;
-
 /// A side is tangent if its median angle is within this, and enough of the border has to be.
 constexpr double kAngle = radians(0.1);
 constexpr double kTangent = 0.6;
+
+/// A rough side may lie off by so many times what its edge misses its own neighbour by.
+constexpr double kOfRough = 1.5;
 
 /// What lies within so many times the noise is explained by it.
 constexpr double kWithin = 3.0;
@@ -96,10 +96,14 @@ Agreement measure(const FootFinder& foot, const Border& border) {
                 std::atan2(f.normal.cross(n).norm(), std::abs(cosine));
             gap = std::max(gap, f.distance / border.size);
         }
+        length += side.length;
+        if (side.rough > 0.0) {
+            result.rough = std::max(result.rough, gap / side.rough);
+            continue;
+        }
         result.gap = std::max(result.gap, gap);
         std::nth_element(angles.begin(), angles.begin() + Border::kSamples / 2, angles.end());
         const double median = angles[Border::kSamples / 2];
-        length += side.length;
         if (median <= kAngle) {
             result.angle = std::max(result.angle, median);
             tangent_length += side.length;
@@ -150,6 +154,17 @@ Result<void> believe(const Agreement& agreement, const Border& border, const Evi
     }
     const bool explained = agreement.gap <= std::max(kWithin * border.noise, evidence.allowed);
     const bool known = evidence.of_model || evidence.allowed > 0.0;
+    if (agreement.rough > kOfRough) {
+        return fail(ErrorCode::Refused,
+                    "a side whose edge misses its own neighbour lies off by {:.2g} times as much, "
+                    "limit {:.2g}",
+                    agreement.rough, kOfRough);
+    }
+    if (agreement.rough > 0.0 && !known && evidence.chance > kChance) {
+        return fail(ErrorCode::Refused,
+                    "a side says nothing because its edge misses its own neighbour, and no plain "
+                    "number speaks for the surface");
+    }
     const double tangent = explained && !known ? kExact : kTangent;
     if (!evidence.of_model && agreement.tangent < tangent) {
         return fail(ErrorCode::Refused,
@@ -168,11 +183,12 @@ Result<void> believe(const Agreement& agreement, const Border& border, const Evi
                     "noise of {:.2g}, and no plain number speaks for it",
                     agreement.gap, border.noise);
     }
-    if (agreement.outward > 0 && agreement.inward > 0) {
+    const int turned = std::min(agreement.outward, agreement.inward);
+    const bool outside_known = evidence.twin && agreement.outward != agreement.inward;
+    if (turned > 0 && !outside_known) {
         return fail(ErrorCode::Refused,
                     "{} of the {} tangent sides have their neighbour's outside on the other side",
-                    std::min(agreement.outward, agreement.inward),
-                    agreement.outward + agreement.inward);
+                    turned, agreement.outward + agreement.inward);
     }
     if (evidence.of_model) {
         return {};

@@ -19,12 +19,14 @@ using FootFinder = std::function<Foot(const Eigen::Vector3d& point)>;
 
 /// How well a surface fits a border.
 struct Agreement {
-    double gap = 0.0;        ///< largest distance of the border, as a share of the hole's diameter
+    /// Largest distance of the border but for rough sides, as a share of the hole's diameter.
+    double gap = 0.0;
     double angle = 0.0;      ///< largest median angle of the sides that are tangent, radians
     double tangent = 0.0;    ///< share of the border, by length or by sides, that is tangent
     double exact = 0.0;      ///< ... that lies on it and is tangent to within the model's noise
     int outward = 0;         ///< tangent sides whose outside is X_u x X_v
     int inward = 0;          ///< ... and -(X_u x X_v)
+    double rough = 0.0;      ///< of rough sides: largest distance over what their edges miss
     bool plane = false;      ///< it is a plane itself
     std::vector<int> faces;  ///< tangent neighbours, FaceN
 
@@ -51,6 +53,8 @@ struct Evidence {
     double allowed = 0.0;
     /// How probable numbers as plain as its own are by chance.
     double chance = 1.0;
+    /// A congruent face has it: the judge compares how either meets its neighbours.
+    bool twin = false;
 };
 
 /// Refuses  a border that lies off by more than the model's noise, but for a small part of it that

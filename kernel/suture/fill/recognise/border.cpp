@@ -12,6 +12,9 @@ using Eigen::Vector3d;
 /// feet on them, and coordinates that were rounded when they were written.
 constexpr double kLeastNoise = 1e-9;
 
+/// So many sides that are not rough tell a surface.
+constexpr int kFewestExact = 2;
+
 /// Of what a coordinate is good to.
 constexpr double kOfRounding = 4.0;
 
@@ -36,16 +39,45 @@ Surface scaled(const Surface& surface, double scale, const Vector3d& shift) {
         surface);
 }
 
-/// How far the sides miss each other at the corners.
-double corner_gap(const Hole& hole) {
+/// How far the sides miss each other at the corners between such as are not rough.
+double corner_gap(const Hole& hole, const std::vector<Side>& sides) {
     double gap = 0.0;
+    std::size_t first = 0;
     for (const RibbonLoop& loop : hole.loops) {
-        for (std::size_t i = 0; i < loop.ribbons.size(); ++i) {
-            const Ribbon& next = loop.ribbons[(i + 1) % loop.ribbons.size()];
-            gap = std::max(gap, (loop.ribbons[i].at(1.0).point - next.at(0.0).point).norm());
+        const std::size_t n = loop.ribbons.size();
+        for (std::size_t i = 0; i < n; ++i) {
+            const std::size_t after = (i + 1) % n;
+            if (!(sides[first + i].rough > 0.0) && !(sides[first + after].rough > 0.0)) {
+                gap = std::max(
+                    gap,
+                    (loop.ribbons[i].at(1.0).point - loop.ribbons[after].at(0.0).point).norm());
+            }
         }
+        first += n;
     }
     return gap;
+}
+
+/// Marks rough sides.
+///
+/// Result   the noise of the others.
+double set_rough_apart(std::vector<Side>& sides, double noise, double size,
+                       const std::vector<double>& of_sides) {
+    const auto rough = [&](double one) { return one > kTooNoisy * size; };
+    const auto count = std::ranges::count_if(of_sides, rough);
+    if (count == 0 || of_sides.size() != sides.size() ||
+        static_cast<int>(of_sides.size()) - count < kFewestExact) {
+        return noise;
+    }
+    double exact = 0.0;
+    for (std::size_t i = 0; i < sides.size(); ++i) {
+        if (rough(of_sides[i])) {
+            sides[i].rough = of_sides[i] / size;
+        } else {
+            exact = std::max(exact, of_sides[i]);
+        }
+    }
+    return exact;
 }
 
 }  // namespace
@@ -58,7 +90,28 @@ Surface Border::to_model(const Surface& surface) const {
     return scaled(surface, size, origin);
 }
 
-Border border_of(const Hole& hole, double noise) {
+Border exact_part(const Border& border) {
+    Border exact = border;
+    exact.sides.clear();
+    for (const Side& side : border.sides) {
+        if (side.rough > 0.0) {
+            continue;
+        }
+        const int first = static_cast<int>(exact.sides.size()) * Border::kSamples;
+        exact.points.middleCols<Border::kSamples>(first) =
+            border.points.middleCols<Border::kSamples>(side.first);
+        exact.normals.middleCols<Border::kSamples>(first) =
+            border.normals.middleCols<Border::kSamples>(side.first);
+        exact.sides.push_back(side);
+        exact.sides.back().first = first;
+    }
+    const auto count = static_cast<Eigen::Index>(exact.sides.size()) * Border::kSamples;
+    exact.points.conservativeResize(Eigen::NoChange, count);
+    exact.normals.conservativeResize(Eigen::NoChange, count);
+    return exact;
+}
+
+Border border_of(const Hole& hole, double noise, const std::vector<double>& of_sides) {
     Border border;
     border.size = hole.diameter;
     int count = 0;
@@ -84,8 +137,9 @@ Border border_of(const Hole& hole, double noise) {
     border.points = (border.points.colwise() - border.origin) / border.size;
     border.rounding =
         std::numeric_limits<double>::epsilon() * (border.origin.norm() + border.size) / border.size;
-    border.noise = std::max({corner_gap(hole) / border.size, noise / border.size, kLeastNoise,
-                             kOfRounding * border.rounding});
+    const double exact = set_rough_apart(border.sides, noise, border.size, of_sides);
+    border.noise = std::max({corner_gap(hole, border.sides) / border.size, exact / border.size,
+                             kLeastNoise, kOfRounding * border.rounding});
     return border;
 }
 

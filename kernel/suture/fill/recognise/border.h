@@ -15,7 +15,13 @@ struct Side {
     int loop = 0;
     int first = 0;        ///< of its samples
     double length = 0.0;  ///< as a share of the hole's diameter
+    /// Above 0: its edge lies so far off its own neighbour, as a share of the diameter, that the
+    /// side says nothing of the lost surface.
+    double rough = 0.0;
 };
+
+/// Models less exact than this do not tell right surfaces from wrong ones.
+inline constexpr double kTooNoisy = 2.5e-4;
 
 /// The hole's border as evenly spaced samples in coordinates (p - origin) / size, in which the hole
 /// is about as large as the unit ball.
@@ -43,8 +49,14 @@ struct Border {
     [[nodiscard]] Surface to_model(const Surface& surface) const;
 };
 
-/// Input    noise: how far the model's edges lie off its faces here, in model units. How far the
-///          sides miss each other at corners is measured besides.
-[[nodiscard]] Border border_of(const Hole& hole, double noise = 0.0);
+/// The same without its rough sides: what surfaces are fitted to.
+[[nodiscard]] Border exact_part(const Border& border);
+
+/// Input    noise: how far the model's edges lie off its faces here, in model units, and that of
+///          each side. Where at least two sides are exact enough, those that are not are `rough`
+///          and no part of the noise. How far the sides miss each other at corners is measured
+///          besides.
+[[nodiscard]] Border border_of(const Hole& hole, double noise = 0.0,
+                               const std::vector<double>& of_sides = {});
 
 }  // namespace suture::recognise

@@ -29,13 +29,15 @@ std::vector<Proposal> propose_candidates(const Border& border, const FillOptions
                 measure([&](const Eigen::Vector3d& point) { return foot->foot(point); }, border);
         }
         // A side may be sharp on a surface that a face lies on; a moved one has to be tangent.
-        const Evidence evidence{same, candidate.allowed / border.size, candidate.chance};
+        const Evidence evidence{same, candidate.allowed / border.size, candidate.chance,
+                                candidate.twin.has_value()};
         if (const auto believed = believe(agreement, border, evidence); !believed) {
             refusals.add(candidate.from, believed.error().message);
             continue;
         }
         Recognised what = describe(candidate.surface, agreement, border);
         what.from = candidate.from;
+        what.twin = candidate.twin;
         proposals.push_back({candidate.surface,
                              locate,
                              agreement,

@@ -34,12 +34,13 @@ constexpr double kHopeless = 3.0;
 constexpr double kAlike = 1e-8;
 
 /// A form with the numbers that are believed, plain ones first.
-Result<Form> believed_form(const Surface& form, const Border& border, Evidence evidence) {
+Result<Form> believed_form(const Surface& form, const Border& border, const Border& exact,
+                           Evidence evidence) {
     if (const double gap = measure(form, border).gap; gap > kHopeless * largest_gap(border)) {
         return fail(ErrorCode::Refused, "the border lies off by {:.2g} of the hole's diameter",
                     gap);
     }
-    Form round{plain(form, border), {}};
+    Form round{plain(form, exact), {}};
     round.agreement = measure(round.plain.form, border);
     evidence.chance = round.plain.chance;
     if (believe(round.agreement, border, evidence)) {
@@ -54,11 +55,13 @@ Result<Form> believed_form(const Surface& form, const Border& border, Evidence e
 }
 
 /// The best believed form of a kind; else why the best one is not believed.
-Result<Form> best_of(const std::vector<Surface>& starts, const Border& border,
+///
+/// Input    exact: the border without its rough sides.
+Result<Form> best_of(const std::vector<Surface>& starts, const Border& border, const Border& exact,
                      const Evidence& evidence = {}) {
     std::vector<std::pair<double, const Surface*>> order;
     for (const Surface& start : starts) {
-        const double off = rms(start, border);
+        const double off = rms(start, exact);
         if (off < kHopelessStart) {
             order.emplace_back(off, &start);
         }
@@ -69,11 +72,11 @@ Result<Form> best_of(const std::vector<Surface>& starts, const Border& border,
     std::optional<Form> best;
     std::optional<Error> why;
     for (std::size_t k = 0; k < count; ++k) {
-        const Surface form = refine(*order[k].second, border);
+        const Surface form = refine(*order[k].second, exact);
         if (!sensible(form)) {
             continue;
         }
-        auto believed = believed_form(form, border, evidence);
+        auto believed = believed_form(form, border, exact, evidence);
         if (!believed) {
             why = why ? why : believed.error();
             continue;
@@ -93,10 +96,11 @@ Result<Form> best_of(const std::vector<Surface>& starts, const Border& border,
 
 /// The believed closed forms, the simplest kind first.
 std::vector<Form> forms_for(const Border& border, Refusals& refusals) {
-    const Starts starts = starts_for(border);
+    const Border exact = exact_part(border);
+    const Starts starts = starts_for(exact);
     std::vector<Form> forms;
     for (std::size_t kind = 0; kind < starts.size(); ++kind) {
-        const auto found = best_of(starts[kind], border);
+        const auto found = best_of(starts[kind], border, exact);
         if (!found) {
             refusals.add(kNames[kind], found.error().message);
             continue;
@@ -111,7 +115,7 @@ std::vector<Form> forms_for(const Border& border, Refusals& refusals) {
 
 /// The cylinder or the cone between two rims, to which the neighbours' normals say nothing.
 std::vector<Form> between_rims(const Border& border, std::size_t kind, Refusals& refusals) {
-    const auto found = best_of(rim_starts(border)[kind], border, {/*of_model=*/true});
+    const auto found = best_of(rim_starts(border)[kind], border, border, {/*of_model=*/true});
     if (!found) {
         refusals.add(fmt::format("{} between the rims", kNames[kind]), found.error().message);
         return {};

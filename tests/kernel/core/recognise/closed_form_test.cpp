@@ -121,6 +121,61 @@ TEST(FillRecognise, FindsEveryClosedFormFarFromTheOrigin) {
     }
 }
 
+TEST(FillRecognise, PassesOverWhatTurnedOutToBeBad) {
+    const Truth truth = truths(1.0, false)[4];
+    const Hole hole = without_supports(windows::window_in(truth.surface, truth.window));
+    std::vector<std::string> told;
+    FillOptions options;
+    options.recognised = [&](const Recognised& what) { told.push_back(what.kind); };
+    ASSERT_TRUE(fill_recognise(hole, options));
+    options.passed_over = 1;
+    const auto fill = fill_recognise(hole, options);
+    ASSERT_FALSE(fill);
+    EXPECT_NE(fill.error().message.find("bad where it was tried"), std::string::npos);
+    EXPECT_EQ(told, std::vector<std::string>{"torus"});
+}
+
+// One side's edge lies 4e-4 of the hole's diameter off its own neighbour, the others are exact.
+TEST(FillRecognise, HearsNothingFromARoughSide) {
+    for (const Truth& truth : truths(1.0, false)) {
+        if (std::holds_alternative<Sphere>(truth.surface)) {
+            continue;  // two sides of three: less than is asked for
+        }
+        Hole hole = without_supports(windows::window_in(truth.surface, truth.window));
+        Ribbon& rough = hole.loops[0].ribbons[1];
+        const double size = 4e-4 * hole.diameter;
+        rough.at = [at = rough.at, size](double s) {
+            RibbonPoint p = at(s);
+            p.point += size * std::sin(kPi * s) * p.normal;
+            return p;
+        };
+        FillOptions options;
+        options.noise = size;
+        EXPECT_FALSE(fill_recognise(hole, options)) << kind_name(truth.surface);
+        options.side_noise.assign(hole.loops[0].ribbons.size(), 0.0);
+        options.side_noise[1] = size;
+        const auto fill = fill_recognise(hole, options);
+        const bool plain = std::holds_alternative<Cylinder>(truth.surface) ||
+                           std::holds_alternative<Torus>(truth.surface);
+        if (!plain) {
+            EXPECT_FALSE(fill) << kind_name(truth.surface);  // no round number speaks for it
+            continue;
+        }
+        ASSERT_TRUE(fill) << kind_name(truth.surface) << ": " << fill.error().message;
+        const Surface& found = fill->patches.front().surface;
+        ASSERT_EQ(kind_name(found), kind_name(truth.surface));
+        const auto is = sizes(found);
+        const auto real = sizes(truth.surface);
+        for (std::size_t i = 0; i < real.size(); ++i) {
+            EXPECT_NEAR(is[i], real[i], 1e-8 * real[i]) << kind_name(truth.surface);
+        }
+        // 1.54 times as far as its own edge is no noise of it.
+        options.side_noise[1] = 0.65 * size;
+        options.noise = 0.65 * size;
+        EXPECT_FALSE(fill_recognise(hole, options)) << kind_name(truth.surface);
+    }
+}
+
 // Thirty dirty variants: edges off their neighbours by up to 1e-4 of the hole's diameter, which the
 // file states as their tolerance.
 TEST(FillRecognise, FindsTheSameKindThroughNoise) {
