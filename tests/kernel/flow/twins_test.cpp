@@ -28,13 +28,14 @@ using placements::placed;
 using placements::Placement;
 using Sheets = std::vector<occ::Handle<Geom_BezierSurface>>;
 
-/// Faces sewn together, some turned over, one left out.
+/// Faces sewn together, some turned over, one left out that is looked for, others left out as well.
 struct Sewn {
     TopoDS_Shape open;
     TopoDS_Face lost;
 };
 
-Sewn sewn(const Sheets& sheets, std::size_t lost, const std::set<std::size_t>& turned) {
+Sewn sewn(const Sheets& sheets, std::size_t lost, const std::set<std::size_t>& turned,
+          const std::set<std::size_t>& missing = {}) {
     BRepBuilderAPI_Sewing sewing(1e-6);
     std::vector<TopoDS_Face> faces;
     for (const auto& sheet : sheets) {
@@ -47,7 +48,7 @@ Sewn sewn(const Sheets& sheets, std::size_t lost, const std::set<std::size_t>& t
     builder.MakeCompound(open);
     for (std::size_t i = 0; i < faces.size(); ++i) {
         const TopoDS_Shape face = sewing.Modified(faces[i]);
-        if (i != lost) {
+        if (i != lost && !missing.contains(i)) {
             builder.Add(open, turned.contains(i) ? face.Reversed() : face);
         }
     }
@@ -115,6 +116,7 @@ Sheets wavy() {
 }
 
 constexpr std::size_t kLost = 6;
+const std::set<std::size_t> kNone = {};
 const std::set<std::size_t> kInFront = {1, 4};
 const std::set<std::size_t> kInFrontOfLost = {7, 10};
 const std::set<std::size_t> kInFrontOfBoth = {1, 4, 7, 10};
@@ -198,6 +200,22 @@ TEST(Twins, StayOutAlongASideThatIsTurnedOverWhereTheFaceIsNotThatTheyCopy) {
     }
 }
 
+// What the edge of the other face meets is gone: that tells nothing of what this one's may meet.
+TEST(Twins, StayOutAlongASideThatIsTurnedOverWhereTheFaceThatTheyCopyIsOpen) {
+    FillRequest request = by("recognise");
+    request.continuity = Continuity::G1;
+    for (const auto& [turned, fits] : {std::pair(kInFrontOfLost, false), std::pair(kNone, true)}) {
+        const HoleReport hole =
+            hole_of(filled(sewn(wavy(), kLost, turned, /*missing=*/kInFront).open, request));
+        EXPECT_EQ(hole.status, fits ? FillStatus::Filled : FillStatus::Refused) << hole.reason;
+        if (!fits) {
+            ASSERT_FALSE(hole.verdict.findings.empty());
+            EXPECT_EQ(hole.verdict.findings.front().kind, FindingKind::Angle);
+            EXPECT_FALSE(hole.verdict.findings.front().before);
+        }
+    }
+}
+
 /// Two skins over one rim without symmetry, one the other's mirror image: `degree` 3 meets the
 /// rim's plane at an angle, 5 is tangent to it.
 Sheets pillow(int degree, double x) {
@@ -234,7 +252,8 @@ void expect_nothing_below(const FillOutcome& outcome) {
     }
 }
 
-// The skin that is left fits into the hole above it, lying on itself, turned over all around.
+// The skin that is left fits into the hole above it, lying on itself, turned over all around. Not
+// even where what is bad is kept is it taken for the lost one.
 TEST(Twins, CloseNoPillowByLyingOnItsOtherSkin) {
     for (const int degree : {3, 5}) {
         for (const bool whole_one_too : {false, true}) {
@@ -248,6 +267,7 @@ TEST(Twins, CloseNoPillowByLyingOnItsOtherSkin) {
             }
             FillRequest request = by("recognise");
             request.all_loops = true;
+            request.keep_bad = true;
             expect_nothing_below(filled(sewn(skins, 0, {}).open, request));
         }
     }
