@@ -17,10 +17,13 @@
 #include <Geom_Surface.hxx>
 #include <TopExp.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
+#include <TopTools_MapOfShape.hxx>
 #include <TopoDS.hxx>
+#include <TopoDS_Iterator.hxx>
 
 #include <cmath>
 #include <string>
+#include <vector>
 
 namespace suture::io {
 namespace {
@@ -137,11 +140,40 @@ Result<void> check_all(const TopoDS_Shape& shape, TopAbs_ShapeEnum kind, const c
     return {};
 }
 
+/// A binary BREP's orientations are bytes, which OCCT takes as they are, as places in a table of
+/// four. So no explorer may go through the shape before this has.
+Result<void> check_orientations(const TopoDS_Shape& whole, const std::filesystem::path& file) {
+    TopTools_MapOfShape seen;
+    std::vector<TopoDS_Shape> open = {whole};
+    while (!open.empty()) {
+        const TopoDS_Shape shape = open.back();
+        open.pop_back();
+        const auto orientation = static_cast<int>(shape.Orientation());
+        if (orientation < TopAbs_FORWARD || orientation > TopAbs_EXTERNAL) {
+            return fail(ErrorCode::Unreadable,
+                        "{} is damaged: a part of it has orientation {}; there are 0 to 3",
+                        file.string(), orientation);
+        }
+        if (!seen.Add(shape.Located({}).Oriented(TopAbs_FORWARD))) {
+            continue;
+        }
+        for (TopoDS_Iterator it(shape, /*cumOri=*/Standard_False, /*cumLoc=*/Standard_False);
+             it.More(); it.Next()) {
+            open.push_back(it.Value());
+        }
+    }
+    return {};
+}
+
 }  // namespace
 
 Result<void> check_numbers(const TopoDS_Shape& shape, const std::filesystem::path& file) {
-    return check_all(shape, TopAbs_VERTEX, "vertex", file,
-                     [](const TopoDS_Shape& s) { return fault_of_vertex(TopoDS::Vertex(s)); })
+    return check_orientations(shape, file)
+        .and_then([&] {
+            return check_all(shape, TopAbs_VERTEX, "vertex", file, [](const TopoDS_Shape& s) {
+                return fault_of_vertex(TopoDS::Vertex(s));
+            });
+        })
         .and_then([&] {
             return check_all(shape, TopAbs_FACE, "face", file,
                              [](const TopoDS_Shape& s) { return fault_of_face(TopoDS::Face(s)); });
