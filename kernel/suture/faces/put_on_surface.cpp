@@ -7,7 +7,10 @@
 
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
+#include <Geom2dConvert.hxx>
 #include <Geom2d_BSplineCurve.hxx>
+#include <Geom2d_Line.hxx>
+#include <Geom2d_TrimmedCurve.hxx>
 #include <Geom_Curve.hxx>
 #include <Geom_Plane.hxx>
 #include <Precision.hxx>
@@ -163,6 +166,14 @@ Placed grow(const TopoDS_Edge& edge, double gap, double reach) {
     return {gap, needed};
 }
 
+/// A line as a B-spline over the edge's parameters.
+Handle<Geom2d_Curve> as_spline(const Handle<Geom2d_Curve>& line, const TopoDS_Edge& edge) {
+    double first = 0.0;
+    double last = 0.0;
+    BRep_Tool::Range(edge, first, last);
+    return Geom2dConvert::CurveToBSplineCurve(occ::make<Geom2d_TrimmedCurve>(line, first, last));
+}
+
 }  // namespace
 
 Placement place_on_surface(const TopoDS_Edge& edge, const Handle<Geom_Surface>& surface,
@@ -189,7 +200,15 @@ Placed put_on_surface(const TopoDS_Edge& edge, const Handle<Geom_Surface>& surfa
 Placed put_on_surface_twice(const TopoDS_Edge& edge, const Handle<Geom_Surface>& surface,
                             const Placement& forward, const Placement& reversed) {
     const BRep_Builder builder;
-    builder.UpdateEdge(edge, forward.pcurve, reversed.pcurve, surface, TopLoc_Location(), 0.0);
+    // OCCT's STEP reader keeps one of them alone where one is a line and the other is none.
+    const auto is_line = [](const Placement& placement) {
+        return !occ::cast<Geom2d_Line>(placement.pcurve).IsNull();
+    };
+    const bool mixed = is_line(forward) != is_line(reversed);
+    const auto pcurve = [&](const Placement& placement) {
+        return mixed && is_line(placement) ? as_spline(placement.pcurve, edge) : placement.pcurve;
+    };
+    builder.UpdateEdge(edge, pcurve(forward), pcurve(reversed), surface, TopLoc_Location(), 0.0);
     builder.Continuity(edge, surface, surface, TopLoc_Location(), TopLoc_Location(), GeomAbs_CN);
     return grow(edge, std::max(forward.gap, reversed.gap), std::max(forward.reach, reversed.reach));
 }

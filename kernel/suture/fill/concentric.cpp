@@ -4,12 +4,14 @@
 #include "suture/fill/concentric/boundary.h"
 #include "suture/fill/concentric/lift.h"
 #include "suture/fill/concentric/map.h"
+#include "suture/fill/concentric/stubs.h"
 #include "suture/fill/concentric/sweep.h"
 
 #include <Eigen/Geometry>
 
 #include <algorithm>
 #include <array>
+#include <optional>
 
 namespace suture {
 namespace {
@@ -54,7 +56,8 @@ bool is_flat(const Hole& hole, const Boundary& boundary, const Tolerance& tolera
 }
 
 /// The map itself: bidegree (p, 1).
-FillResult fill_flat(const Boundary& boundary, concentric::ConcentricCurve& axis, bool single) {
+FillResult fill_flat(const Boundary& boundary, concentric::ConcentricCurve& axis,
+                     std::optional<int> single) {
     const std::vector<Region> regions = concentric::regions_of(boundary, axis, single);
     const auto vertex = [&](int node) {
         return boundary.lifted(axis.nodes[static_cast<std::size_t>(node)]);
@@ -81,7 +84,7 @@ FillResult fill_flat(const Boundary& boundary, concentric::ConcentricCurve& axis
 
 /// The map lifted into space: cubic along the spokes.
 Result<FillResult> fill_curved(const Hole& hole, const Boundary& boundary,
-                               concentric::ConcentricCurve& axis, bool single,
+                               concentric::ConcentricCurve& axis, std::optional<int> single,
                                const Tolerance& tolerance) {
     // Corners get their nodes first: then every course keeps its ends.
     for (int i = 0; i < boundary.count(); ++i) {
@@ -146,14 +149,20 @@ Result<FillResult> fill_concentric(const Hole& hole, const FillOptions& options)
     map_options.flatness = find_number(options.own, "flatness").value_or(kFlatness);
     // OCCT does not read a face from STEP whose border meets itself in points at such places.
     map_options.rest_between_corners = !single;
-    map_options.rest_at_tips = !single;
+    map_options.rest_at_tips = true;
     auto map = concentric::concentric_map(boundary->planar, map_options);
     if (!map) {
         return tl::unexpected(named_after_sides(map.error(), hole));
     }
+    std::optional<int> first;
+    if (single) {
+        auto opened = concentric::with_stubs(map->axis, boundary->planar, boundary->count());
+        map->axis = std::move(opened.axis);
+        first = opened.side;
+    }
     const bool flat = is_flat(hole, *boundary, options.tolerance);
-    auto result = flat ? fill_flat(*boundary, map->axis, single)
-                       : fill_curved(hole, *boundary, map->axis, single, options.tolerance);
+    auto result = flat ? fill_flat(*boundary, map->axis, first)
+                       : fill_curved(hole, *boundary, map->axis, first, options.tolerance);
     if (result) {
         result->notes.push_back(note(*map, flat));
     }

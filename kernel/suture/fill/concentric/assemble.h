@@ -7,6 +7,7 @@
 #include <Eigen/Core>
 
 #include <functional>
+#include <optional>
 #include <vector>
 
 namespace suture::concentric {
@@ -21,9 +22,11 @@ struct Region {
 
 /// One region for each side of the hole, or a single one for all of them.
 ///
-/// Input    axis: gets a node where the seam of each corner ends.
+/// Input    axis: gets a node where the seam of each corner ends; single: the first side of the
+/// only
+///          region.
 [[nodiscard]] std::vector<Region> regions_of(const Boundary& boundary, ConcentricCurve& axis,
-                                             bool single);
+                                             std::optional<int> single);
 
 /// Makes a region's last row of poles, in space, exactly one point where c rests: rounding would
 /// give the surface some direction there, and a normal by chance.

@@ -9,8 +9,8 @@
 namespace suture::concentric {
 namespace {
 
-/// As a share of the period: a stop so near to a parameter is at that parameter.
-constexpr double kSameParameter = 1e-9;
+/// A stop so near to a parameter is at that parameter.
+constexpr double kNearStop = 10.0 * kSameParameter;
 
 }  // namespace
 
@@ -72,19 +72,18 @@ int insert_node(ConcentricCurve& curve, double s) {
     const auto [k, at] = stop_before(curve, s);
     const Stop here = curve.stop(k);
     const Stop next = curve.stop(k + 1);
-    const double same = kSameParameter * curve.period;
     // A stop that is there but for rounding is moved there: nothing is left between the two.
-    if (at <= here.to + same) {
+    if (at <= here.to + kNearStop) {
         Stop& there = curve.stops[static_cast<std::size_t>(k)];
-        if (std::abs(at - there.to) < same) {
+        if (std::abs(at - there.to) < kNearStop) {
             there.from = there.from < there.to ? there.from : at;
             there.to = at;
-        } else if (std::abs(at - there.from) < same) {
+        } else if (std::abs(at - there.from) < kNearStop) {
             there.from = at;
         }
         return here.node;
     }
-    if (at >= next.from - same) {
+    if (at >= next.from - kNearStop) {
         Stop& there = curve.stops[static_cast<std::size_t>((k + 1) % curve.count())];
         const double on_turn = at - (k + 1 == curve.count() ? curve.period : 0.0);
         there.to = there.from < there.to ? there.to : on_turn;
@@ -102,7 +101,10 @@ int insert_node(ConcentricCurve& curve, double s) {
         if (i == k) {
             stops.push_back({node, at, at});
         } else if (a.node == next.node && b.node == here.node) {
-            const double back = a.to + (1.0 - f) * (b.from - a.to);
+            // Where c comes back much faster, the pieces must not get too short to be edges.
+            const double length = b.from - a.to;
+            const double shortest = std::min(2.0 * kSameParameter, 0.5 * length);
+            const double back = a.to + std::clamp((1.0 - f) * length, shortest, length - shortest);
             stops.push_back({node, back, back});
         }
     }

@@ -8,6 +8,9 @@
 
 namespace suture::concentric {
 
+/// Parameters nearer to each other than this are one. Every side of the boundary is 1 long.
+inline constexpr double kSameParameter = 1e-8;
+
 /// Where the concentric curve stands at a node of the concentric axis: for one parameter, or for as
 /// long as the boundary's part that belongs to a cut branch lasts.
 struct Stop {

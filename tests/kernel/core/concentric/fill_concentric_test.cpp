@@ -70,7 +70,7 @@ Fit fit_of(const Hole& hole, const FillResult& fill) {
                 const auto& [patch, use] = uses[static_cast<std::size_t>(i)];
                 points[i] = point_at(patch->surface, use->at(s));
                 Vector2d uv = use->at(s);
-                uv.y() = std::min(uv.y(), 1.0 - 1e-5);
+                uv.x() = std::min(uv.x(), 1.0 - 1e-5);
                 normals[i] = normal_at(patch->surface, uv);
             }
             fit.inner_gap = std::max(fit.inner_gap, (points[0] - points[1]).norm());
@@ -156,7 +156,7 @@ TEST(FillConcentric, CapsPolygonsWithOneFaceForEachSide) {
                 const auto& spline = std::get<SplineSurface>(patch.surface);
                 EXPECT_EQ(spline.degree_u, 1);
                 EXPECT_EQ(spline.degree_v, 1);
-                const Vector3d n = normal_at(patch.surface, {spline.knots_u.front() + 0.37, 0.4});
+                const Vector3d n = normal_at(patch.surface, {0.37, spline.knots_v.front() + 0.4});
                 EXPECT_LT(angle_between(n, windows::tilted().z), 1e-6);
             }
         }
@@ -177,7 +177,7 @@ TEST(FillConcentric, CapsWithOneFaceForAllSides) {
         ASSERT_EQ(fill->patches.size(), 1U);
         const Fit fit = fit_of(hole, *fill);
         EXPECT_LT(fit.gap, 1e-13);
-        EXPECT_LT(fit.inner_gap, 1e-12);
+        EXPECT_LT(fit.inner_gap, 1e-10);  // one use of an edge of the axis is moved by 1e-12
     }
 }
 
@@ -193,7 +193,7 @@ TEST(FillConcentric, CapsAClosedEdgeWithAPole) {
             EXPECT_LT(fit.gap, 1e-6);
             EXPECT_NEAR(fit.gap, fill->patches.front().fit_error, fill->patches.front().fit_error);
             EXPECT_LT(fit.angle, 1e-6);
-            EXPECT_LT(fit.inner_gap, 1e-12);
+            EXPECT_LT(fit.inner_gap, 1e-10);  // likewise
         }
     }
 }
