@@ -33,12 +33,24 @@ class ConvexMap {
         Eigen::Matrix2d slope;
     };
 
+    /// A place of the region, and where it goes.
+    struct Seed {
+        Eigen::Vector2d at;
+        Value value;
+    };
+
     std::vector<Eigen::Vector2d> boundary_;
-    Eigen::Matrix2Xd charges_;  ///< one column a segment
+    Eigen::Matrix2Xd vertices_;  ///< the same
+    Eigen::Matrix2Xd along_;     ///< directions of the segments that start there
+    Eigen::VectorXd lengths_;    ///< of these
+    Eigen::Matrix2Xd charges_;   ///< one column a segment
     Eigen::Vector2d constant_ = Eigen::Vector2d::Zero();
     double size_ = 1.0;  ///< of the region
-    std::vector<Eigen::Vector2d> seeds_, seed_images_;
+    std::vector<Seed> seeds_;
 
+    /// Calls take(segment, potential, slope) for the layers of all segments at p.
+    template <class Take>
+    void for_each_potential(const Eigen::Vector2d& p, Take&& take) const;
     [[nodiscard]] Value expand(const Eigen::Vector2d& p) const;
     [[nodiscard]] bool is_inside(const Eigen::Vector2d& p) const;
     [[nodiscard]] bool is_near_boundary(const Eigen::Vector2d& p) const;
