@@ -434,6 +434,7 @@ def option_name(key):
         "degree": translate("Degree"),
         "cells": translate("Cells"),
         "faces": translate("Faces"),
+        "axis": translate("Axis"),
         "tension": translate("Tension"),
         "salience": translate("Cut branches"),
         "flatness": translate("Drop flat nodes"),

@@ -187,12 +187,14 @@ class ProgramsWords(Case):
 
     def test_refusals_of_every_method(self):
         for name, methods in (
-            ("bump_window", ("plane", "quad", "loft", "manifold", "concentric")),
+            ("bump_window", ("plane", "quad", "loft", "manifold")),
             ("suitcase_corner", ("extend", "quad", "loft")),
         ):
             for method in methods:
                 text = self.refusals(example(name), method=method)
                 self.assert_german(text.split("refused: ", 1)[1])
+        text = self.refusals(example("dome_window"), method="concentric", own={"axis": "basic"})
+        self.assert_german(text.split("refused: ", 1)[1])
         text = self.refusals(example(), method="plane")
         self.assertRegex(text, r"das Loch ist nicht eben: Edge\d+ \(Face\d+\) verlässt")
         self.assert_german(self.refusals(example(), edges=[1]))

@@ -4,6 +4,7 @@
 #include "suture/fill/concentric/boundary.h"
 #include "suture/fill/concentric/lift.h"
 #include "suture/fill/concentric/map.h"
+#include "suture/fill/concentric/paper_map.h"
 #include "suture/fill/concentric/stubs.h"
 #include "suture/fill/concentric/sweep.h"
 
@@ -12,6 +13,7 @@
 #include <algorithm>
 #include <array>
 #include <optional>
+#include <string_view>
 
 namespace suture {
 namespace {
@@ -111,6 +113,22 @@ Result<FillResult> fill_curved(const Hole& hole, const Boundary& boundary,
     return result;
 }
 
+Result<ConcentricMap> map_of(const Boundary& boundary, const FillOptions& options, bool single) {
+    const std::string_view axis = find_word(options.own, "axis").value_or("certified");
+    if (axis != "certified") {
+        using concentric::PaperAxis;
+        return concentric::paper_map(boundary.planar,
+                                     axis == "basic" ? PaperAxis::Basic : PaperAxis::Moved);
+    }
+    concentric::MapOptions map_options;
+    map_options.salience = find_number(options.own, "salience").value_or(kSalience);
+    map_options.flatness = find_number(options.own, "flatness").value_or(kFlatness);
+    // OCCT does not read a face from STEP whose border meets itself in points at such places.
+    map_options.rest_between_corners = !single;
+    map_options.rest_at_tips = true;
+    return concentric::concentric_map(boundary.planar, map_options);
+}
+
 std::string note(const ConcentricMap& map, bool flat) {
     return fmt::format(
         "{} map over a medial axis of {} nodes, its control polygon refined {} times",
@@ -123,6 +141,9 @@ std::span<const MethodOption> concentric_options() {
     static constexpr std::array kOptions = {
         MethodOption{"faces", OptionKind::Word, "regions|one",
                      "one face for each side of the hole, or one for all; default regions"},
+        MethodOption{"axis", OptionKind::Word, "certified|basic|moved",
+                     "the axis: one whose map is proved not to fold; the paper's own; the paper's, "
+                     "moved onto that of a refined control polygon; default certified"},
         MethodOption{"salience", OptionKind::Number, "SHARE",
                      "cut branches of the axis that stand out less, as a share of the largest "
                      "inscribed circle's radius; default 0.1",
@@ -144,13 +165,7 @@ Result<FillResult> fill_concentric(const Hole& hole, const FillOptions& options)
         return tl::unexpected(boundary.error());
     }
     const bool single = find_word(options.own, "faces").value_or("regions") == "one";
-    concentric::MapOptions map_options;
-    map_options.salience = find_number(options.own, "salience").value_or(kSalience);
-    map_options.flatness = find_number(options.own, "flatness").value_or(kFlatness);
-    // OCCT does not read a face from STEP whose border meets itself in points at such places.
-    map_options.rest_between_corners = !single;
-    map_options.rest_at_tips = true;
-    auto map = concentric::concentric_map(boundary->planar, map_options);
+    auto map = map_of(*boundary, options, single);
     if (!map) {
         return tl::unexpected(named_after_sides(map.error(), hole));
     }

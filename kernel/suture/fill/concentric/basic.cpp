@@ -64,26 +64,20 @@ class Basic {
         for (const MedialNode& node : axis.nodes) {
             nodes_.push_back(node.point);
         }
-        in_seam_.resize(stays_.size(), 0);
     }
 
     [[nodiscard]] ConcentricCurve make() {
         for (int k = 0; k < count(); ++k) {
-            if (degree(k) == 1) {
-                cut_seam(k);
-            }
-        }
-        for (int k = 0; k < count(); ++k) {
-            if (in_seam_[static_cast<std::size_t>(k)] == 0 && degree(k) >= 3) {
+            if (degree(k) >= 3) {
                 marks_.push_back({static_cast<double>(k), stay(k).node, std::nullopt});
             }
         }
-        sort();
         for (int v = 0; v < sites_.count(); ++v) {
             if (sites_.vertices[static_cast<std::size_t>(v)].reflex) {
                 map_reflex(v);
             }
         }
+        cut_seams();
         return timed();
     }
 
@@ -92,7 +86,6 @@ class Basic {
     const Sites& sites_;
     std::vector<Stay> stays_;
     std::vector<int> degree_;
-    std::vector<char> in_seam_;
     std::vector<Vector2d> nodes_;
     std::vector<Mark> marks_;
 
@@ -114,19 +107,25 @@ class Basic {
                          [](const Mark& a, const Mark& b) { return a.place < b.place; });
     }
 
-    /// From a convex corner to the first branch point: the corner's image.
-    void cut_seam(int leaf) {
-        int reach = 0;
-        while (degree(leaf + reach) < 3 && reach < count() / 2) {
-            for (const int k : {leaf - reach, leaf + reach}) {
-                in_seam_[static_cast<std::size_t>((k % count() + count()) % count())] = 1;
+    /// A convex corner's image is the closest concentric vertex along its seam: a branch point, or
+    /// the image of a reflex vertex before it (step 4).
+    void cut_seams() {
+        std::vector<Mark> corners;
+        for (int leaf = 0; leaf < count(); ++leaf) {
+            if (degree(leaf) != 1) {
+                continue;
             }
-            ++reach;
+            // On the way back from the corner the walk comes by the same ones as on the way there.
+            const auto next = std::find_if(marks_.begin(), marks_.end(),
+                                           [&](const Mark& mark) { return mark.place > leaf; });
+            const Mark& image = next == marks_.end() ? marks_.front() : *next;
+            const Sites::Vertex& corner =
+                sites_.vertices[static_cast<std::size_t>(visit(stay(leaf).last).site)];
+            corners.push_back(
+                {static_cast<double>(leaf), image.node, 0.5 * (corner.before + corner.after)});
         }
-        const Sites::Vertex& corner =
-            sites_.vertices[static_cast<std::size_t>(visit(stay(leaf).last).site)];
-        marks_.push_back({static_cast<double>(leaf), stay(leaf + reach).node,
-                          0.5 * (corner.before + corner.after)});
+        marks_.insert(marks_.end(), corners.begin(), corners.end());
+        sort();
     }
 
     /// The stays that border on a reflex vertex' cell: a cyclic range.
@@ -159,7 +158,7 @@ class Basic {
             Mark image = *found;
             image.parameter = s;
             if (found->parameter) {
-                // Beside the corner whose seam ends there as well.
+                // Beside another reflex vertex whose image it is as well.
                 image.place = found->place < first ? first : last;
                 marks_.push_back(image);
             } else {
@@ -279,6 +278,39 @@ class Basic {
     }
 };
 
+/// Nodes that have come to the same place are one, where c rests.
+void merge_nodes(ConcentricCurve& curve) {
+    Vector2d low = curve.nodes.front();
+    Vector2d high = low;
+    for (const Vector2d& node : curve.nodes) {
+        low = low.cwiseMin(node);
+        high = high.cwiseMax(node);
+    }
+    constexpr double kSame = 1e-6;
+    const double same = kSame * (high - low).norm();
+    const auto first_at = [&](int number) {
+        const Vector2d& node = curve.nodes[static_cast<std::size_t>(number)];
+        const auto found =
+            std::find_if(curve.nodes.begin(), curve.nodes.end(),
+                         [&](const Vector2d& other) { return (other - node).norm() <= same; });
+        return static_cast<int>(found - curve.nodes.begin());
+    };
+    std::vector<Stop> stops;
+    for (Stop stop : curve.stops) {
+        stop.node = first_at(stop.node);
+        if (!stops.empty() && stops.back().node == stop.node) {
+            stops.back().to = stop.to;
+        } else {
+            stops.push_back(stop);
+        }
+    }
+    if (stops.size() > 1 && stops.front().node == stops.back().node) {
+        stops.front().from = stops.back().from - curve.period;
+        stops.pop_back();
+    }
+    curve.stops = std::move(stops);
+}
+
 }  // namespace
 
 ConcentricCurve basic_axis(const MedialAxis& axis, const Sites& sites) {
@@ -308,6 +340,7 @@ ConcentricCurve moved_onto(const ConcentricCurve& coarse, const ConcentricCurve&
         }
         node = to;
     }
+    merge_nodes(moved);
     return moved;
 }
 

@@ -9,10 +9,11 @@
 
 namespace suture::concentric {
 
-/// The concentric axis as the paper has it: every seam cut as far as the first branch point, every
-/// reflex vertex mapped to the nearest branch point in its range or else to the nearest point of
-/// the axis there, chords between. What lies between the images of two vertices has parameters
-/// interpolated by length. Not certified: on reflex polygons it may fold.
+/// The concentric axis as the paper has it: every reflex vertex is mapped to the nearest branch
+/// point in its range or else to the nearest point of the axis there, which becomes a concentric
+/// vertex; then every convex one to the closest concentric vertex along its seam; chords between.
+/// What lies between the images of two vertices has parameters interpolated by length. Not
+/// certified: on reflex polygons it may fold.
 ///
 /// Source   Martin & Cohen 2003, section 3.1 and figure 7, steps 3 to 5.
 [[nodiscard]] ConcentricCurve basic_axis(const MedialAxis& axis, const Sites& sites);

@@ -1474,6 +1474,11 @@ oder installieren oder angeben, wo es ist: Bearbeiten &gt; Einstellungen &gt; Su
     </message>
     <message>
       <location filename="suture_workbench/words.py" />
+      <source>Axis</source>
+      <translation>Achse</translation>
+    </message>
+    <message>
+      <location filename="suture_workbench/words.py" />
       <source>Cut branches</source>
       <translation>Äste kappen</translation>
     </message>
@@ -3036,6 +3041,16 @@ oder installieren oder angeben, wo es ist: Bearbeiten &gt; Einstellungen &gt; Su
     </message>
     <message>
       <location filename="program.txt" />
+      <source>the paper's map folds between s = {0} and {1}</source>
+      <translation>die Abbildung der Veröffentlichung faltet sich zwischen s = {0} und {1}</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>the paper's map folds between s = {0} and {1} and at {2} other places</source>
+      <translation>die Abbildung der Veröffentlichung faltet sich zwischen s = {0} und {1} und an {2} anderen Stellen</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
       <source>the boundary has no extent</source>
       <translation>der Rand hat keine Ausdehnung</translation>
     </message>
@@ -3613,6 +3628,11 @@ oder installieren oder angeben, wo es ist: Bearbeiten &gt; Einstellungen &gt; Su
       <location filename="program.txt" />
       <source>one face for each side of the hole, or one for all; default regions</source>
       <translation>eine Fläche für jede Seite des Lochs, oder eine für alle; Vorgabe regions</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
+      <source>the axis: one whose map is proved not to fold; the paper's own; the paper's, moved onto that of a refined control polygon; default certified</source>
+      <translation>die Achse: eine, deren Abbildung sich nachweislich nicht faltet; die der Veröffentlichung; diese, auf die eines verfeinerten Kontrollpolygons geschoben; Vorgabe certified</translation>
     </message>
     <message>
       <location filename="program.txt" />

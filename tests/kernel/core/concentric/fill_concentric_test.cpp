@@ -181,6 +181,31 @@ TEST(FillConcentric, CapsWithOneFaceForAllSides) {
     }
 }
 
+FillOptions with_axis(const std::string& word) {
+    FillOptions options;
+    options.own["axis"] = {OptionKind::Word, {}, word};
+    return options;
+}
+
+TEST(FillConcentric, TakesThePapersOwnAxisWhereItsMapDoesNotFold) {
+    for (const auto* word : {"basic", "moved"}) {
+        for (const auto& points : {shapes::rectangle(), shapes::letter_l(), shapes::letter_t()}) {
+            const Hole hole = opening(points);
+            const auto fill = fill_concentric(hole, with_axis(word));
+            ASSERT_TRUE(fill) << fill.error().message;
+            EXPECT_EQ(fill->patches.size(), points.size());
+            const Fit fit = fit_of(hole, *fill);
+            EXPECT_LT(fit.gap, 1e-13);
+            EXPECT_LT(fit.inner_gap, 1e-11);
+        }
+        const auto folded = fill_concentric(opening(shapes::folding()), with_axis(word));
+        ASSERT_FALSE(folded);
+        EXPECT_EQ(folded.error().code, ErrorCode::Refused);
+        EXPECT_NE(folded.error().message.find("map folds between s = "), std::string::npos)
+            << folded.error().message;
+    }
+}
+
 TEST(FillConcentric, CapsAClosedEdgeWithAPole) {
     const Plane plane{windows::tilted()};
     for (const int sides : {1, 2, 5}) {

@@ -198,6 +198,17 @@ TEST(ConcentricMap, KeepsFewControlPointsByMovingTheCoarseAxisOntoTheFineOne) {
     EXPECT_TRUE(folded_courses(boundary, moved).empty());
 }
 
+/// Step 4: the closest concentric vertex along the seam, here the image of the reflex vertex, which
+/// is half-way between the corner and the first branch point.
+TEST(BasicConcentricAxis, MapsACornerToTheReflexImageOnItsSeam) {
+    const ClosedSpline wedge = shapes::polygon({{0, 0}, {20, -2}, {20, 4}, {10, 0.5}});
+    const ConcentricCurve c = basic(wedge);
+    const Vector2d image = evaluate(c, 3.0);
+    EXPECT_NEAR(image.x(), 10.0, 1.0);
+    EXPECT_LT((evaluate(c, 0.0) - image).norm(), 1e-9);
+    EXPECT_GT(evaluate(c, 1.0).x(), 15.0);
+}
+
 TEST(ConcentricMap, PrunesANoisyEllipseByTheSalienceOfItsBranches) {
     const ClosedSpline noisy = shapes::polygon(shapes::noisy_ellipse(24, 0.05));
     const BoundaryPieces boundary(noisy);
