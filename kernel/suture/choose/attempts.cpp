@@ -55,7 +55,7 @@ bool left_out(const FillMethod& method, const Hole& hole, const FillRequest& req
 
 /// How much `mvs` may compute; the other methods look for no such option.
 OptionValues work_of(Effort effort) {
-    const double factor = effort == Effort::Quick ? 0.05 : effort == Effort::Normal ? 0.2 : 10.0;
+    const double factor = effort == Effort::Quick ? 0.05 : effort == Effort::Normal ? 0.3 : 10.0;
     return {{"work", {OptionKind::Number, {factor}, {}}}};
 }
 

@@ -455,10 +455,22 @@ Eigen::Vector2d DomainCurve::derivative(double s) const {
     return evaluate_chebyshev(derivative_, s);
 }
 
-DomainCurve DomainCurve::moved(const Eigen::Matrix2d& rotation,
-                               const Eigen::Vector2d& shift) const {
-    Eigen::Matrix2Xd moved = rotation * coefficients_;
+DomainCurve DomainCurve::moved(const Eigen::Matrix2d& map, const Eigen::Vector2d& shift) const {
+    Eigen::Matrix2Xd moved = map * coefficients_;
     moved.col(0) += shift;
+    return DomainCurve(std::move(moved));
+}
+
+DomainCurve DomainCurve::with_ends_moved(const Eigen::Vector2d& start,
+                                         const Eigen::Vector2d& end) const {
+    // 10 s^3 - 15 s^4 + 6 s^5 as a sum of T_k(2 s - 1).
+    Eigen::Matrix<double, 1, 6> rise;
+    rise << 0.5, 75.0 / 128.0, 0.0, -25.0 / 256.0, 0.0, 3.0 / 256.0;
+    Eigen::Matrix2Xd moved =
+        Eigen::Matrix2Xd::Zero(2, std::max<Eigen::Index>(6, coefficients_.cols()));
+    moved.leftCols(coefficients_.cols()) = coefficients_;
+    moved.leftCols<6>() += (end - start) * rise;
+    moved.col(0) += start;
     return DomainCurve(std::move(moved));
 }
 

@@ -18,9 +18,13 @@ class DomainCurve {
     [[nodiscard]] Eigen::Vector2d at(double s) const;
     [[nodiscard]] Eigen::Vector2d derivative(double s) const;
 
-    /// The curve turned by the rotation and then shifted.
-    [[nodiscard]] DomainCurve moved(const Eigen::Matrix2d& rotation,
-                                    const Eigen::Vector2d& shift) const;
+    /// The curve under a linear map and then shifted.
+    [[nodiscard]] DomainCurve moved(const Eigen::Matrix2d& map, const Eigen::Vector2d& shift) const;
+
+    /// The curve with its ends moved, and in between so that its tangents and curvatures there stay
+    /// as they are.
+    [[nodiscard]] DomainCurve with_ends_moved(const Eigen::Vector2d& start,
+                                              const Eigen::Vector2d& end) const;
 
   private:
     Eigen::Matrix2Xd coefficients_;

@@ -8,9 +8,8 @@
 namespace suture::mvs {
 namespace {
 
-Net first_net(const LinedLayout& lined, const Scale& scale, const Schedule& schedule,
-              int longer_spans) {
-    const Layout& layout = lined.layout;
+Net first_net(const Layout& layout, const std::vector<KnotLine>& lines, const Scale& scale,
+              const Schedule& schedule, int longer_spans) {
     const Eigen::Vector2d size = (layout.upper - layout.lower) / scale.length;
     const double longer = size.maxCoeff();
     const Eigen::Vector2d margin = Eigen::Vector2d::Constant(schedule.margin * longer);
@@ -19,7 +18,7 @@ Net first_net(const LinedLayout& lined, const Scale& scale, const Schedule& sche
     const auto axis = [&](int c) {
         const auto spans = static_cast<int>(std::ceil(longer_spans * size[c] / longer));
         const double width = (upper[c] - lower[c]) / std::max(schedule.least_spans, spans);
-        return lined_axis(lower[c], upper[c], width, c, lined.lines);
+        return lined_axis(lower[c], upper[c], width, c, lines);
     };
     return {axis(0), axis(1), {}};
 }
@@ -39,11 +38,12 @@ Levels::Levels(const Hole& hole, const LinedLayout& layout, const Scale& scale,
                const FillOptions& options, const Schedule& schedule, int first_spans,
                double most_work)
     : hole_(hole),
-      lines_(layout.lines),
+      all_lines_(layout.lines),
       options_(options),
       schedule_(schedule),
       scale_(scale),
-      net_(first_net(layout, scale, schedule, first_spans)),
+      net_(first_net(layout.layout, {}, scale, schedule, first_spans)),
+      lined_(first_net(layout.layout, layout.lines, scale, schedule, first_spans)),
       most_work_(most_work) {
     domain_.loops.push_back(layout.layout);
     const Tolerance& t = options.tolerance;
@@ -99,7 +99,9 @@ void Levels::lay_inside() {
 }
 
 System Levels::system(const Weights& weights) const {
-    const Density density{net_.u, net_.v, schedule_.samples_per_span, schedule_.least_samples};
+    const double per_span =
+        lines_.empty() ? schedule_.samples_per_span : schedule_.samples_per_span_with_lines;
+    const Density density{net_.u, net_.v, per_span, schedule_.least_samples};
     return System(net_.u, net_.v, polygons_of(measured_),
                   sample_boundary(hole_, domain_, scale_, density, /*ends=*/true), lines_, weights);
 }
@@ -199,6 +201,14 @@ bool Levels::refine() {
     return false;
 }
 
+// Knot lines matter beside the boundary only: the fair shape is found without them.
+void Levels::draw_lines() {
+    net_ = interpolated(net_, lined_.u, lined_.v);
+    lines_ = all_lines_;
+    sample_densely();
+    solve(system(with_lines(schedule_.exact)), schedule_.lined_steps);
+}
+
 Result<Fairing> Levels::run() {
     lay_inside();
     sample_densely();
@@ -210,9 +220,16 @@ Result<Fairing> Levels::run() {
     if (auto measured = measure(); !measured) {
         return tl::unexpected(measured.error());
     }
-    Weights weights = with_lines(schedule_.fine);
+    Weights weights = schedule_.fine;
+    if (!all_lines_.empty()) {
+        draw_lines();
+        if (auto measured = measure(); !measured) {
+            return tl::unexpected(measured.error());
+        }
+        weights.jump = schedule_.jump;
+    }
     const double least_energy =
-        lines_.empty() ? schedule_.least_energy : schedule_.least_energy_with_lines;
+        all_lines_.empty() ? schedule_.least_energy : schedule_.least_energy_with_lines;
     Net best = net_;
     Domain best_domain = domain_;
     double least = missed_by_;
@@ -229,7 +246,7 @@ Result<Fairing> Levels::run() {
         }
         lay_on_surface(net_, scale_, hole_, domain_);
         sample_densely();
-        solve(system(weights), schedule_.fine_steps);
+        solve(system(weights), lines_.empty() ? schedule_.fine_steps : schedule_.lined_steps);
         if (auto measured = measure(); !measured) {
             return tl::unexpected(measured.error());
         }

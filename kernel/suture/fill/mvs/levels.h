@@ -47,17 +47,20 @@ class Levels {
     [[nodiscard]] System system(const Weights& weights) const;
     [[nodiscard]] Weights with_lines(Weights weights) const;
     void lay_inside();
+    void draw_lines();
     void sample_densely();
     void solve(const System& system, const SolverOptions& steps);
 
     const Hole& hole_;
-    const std::vector<KnotLine>& lines_;
+    const std::vector<KnotLine>& all_lines_;
+    std::vector<KnotLine> lines_;  // none, until they are drawn
     const FillOptions& options_;
     const Schedule& schedule_;
     Scale scale_;
     Domain domain_;
     Goal goal_;
     Net net_;
+    Net lined_;  // the first one with lines, without poles
     std::vector<BoundarySample> measured_;
     std::vector<Miss> misses_;
     double missed_by_ = 0.0;

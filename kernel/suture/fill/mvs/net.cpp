@@ -3,8 +3,11 @@
 #include "suture/base/contract.h"
 #include "suture/spline/knots.h"
 
+#include <Eigen/LU>
+
 #include <algorithm>
 #include <array>
+#include <numeric>
 
 namespace suture::mvs {
 
@@ -99,25 +102,28 @@ Eigen::Matrix<double, 3, kLocal> Net::local_poles(int span_u, int span_v) const 
     return local;
 }
 
-Net refine(const Net& net, const Axis& u, const Axis& v) {
+namespace {
+
+// Changes both axes of a net by a linear map of the coefficients along each: dim x count to
+// dim x new count.
+template <class AlongU, class AlongV>
+Net mapped(const Net& net, const Axis& u, const Axis& v, const AlongU& along_u,
+           const AlongV& along_v) {
     const int old_u = net.u.count();
     const int old_v = net.v.count();
-    // Rows of poles are refined along u, then columns along v.
-    Eigen::MatrixXd rows(3 * old_v, u.count());
-    {
-        Eigen::MatrixXd before(3 * old_v, old_u);
-        for (int j = 0; j < old_v; ++j) {
-            before.middleRows(3 * j, 3) = net.poles.middleCols(old_u * j, old_u);
-        }
-        rows = refine(net.u, u, before);
+    // Rows of poles along u, then columns along v.
+    Eigen::MatrixXd rows(3 * old_v, old_u);
+    for (int j = 0; j < old_v; ++j) {
+        rows.middleRows(3 * j, 3) = net.poles.middleCols(old_u * j, old_u);
     }
+    rows = along_u(rows);
     Eigen::MatrixXd before(3 * u.count(), old_v);
     for (int j = 0; j < old_v; ++j) {
         for (int i = 0; i < u.count(); ++i) {
             before.block<3, 1>(3 * i, j) = rows.block<3, 1>(3 * j, i);
         }
     }
-    const Eigen::MatrixXd after = refine(net.v, v, before);
+    const Eigen::MatrixXd after = along_v(before);
     Net result{u, v, Eigen::Matrix3Xd(3, u.count() * v.count())};
     for (int j = 0; j < v.count(); ++j) {
         for (int i = 0; i < u.count(); ++i) {
@@ -125,6 +131,43 @@ Net refine(const Net& net, const Axis& u, const Axis& v) {
         }
     }
     return result;
+}
+
+// The values of an axis's functions at these places: places x count.
+Eigen::MatrixXd values_at(const Axis& axis, const std::vector<double>& places) {
+    Eigen::MatrixXd values =
+        Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(places.size()), axis.count());
+    for (std::size_t k = 0; k < places.size(); ++k) {
+        const BasisRow row = basis_row(axis, places[k]);
+        values.row(static_cast<Eigen::Index>(k)).segment<kOrder>(row.first) = row.values.row(0);
+    }
+    return values;
+}
+
+// What turns coefficients over one axis, as rows, into those that interpolate them over another.
+Eigen::MatrixXd interpolation(const Axis& from, const Axis& to) {
+    std::vector<double> places;
+    for (int k = 0; k < to.count(); ++k) {
+        const auto first = to.knots.begin() + k + 1;
+        places.push_back(std::accumulate(first, first + kDegree, 0.0) / kDegree);
+    }
+    return values_at(to, places).partialPivLu().solve(values_at(from, places)).transpose();
+}
+
+}  // namespace
+
+Net refine(const Net& net, const Axis& u, const Axis& v) {
+    return mapped(
+        net, u, v, [&](const Eigen::MatrixXd& rows) { return refine(net.u, u, rows); },
+        [&](const Eigen::MatrixXd& rows) { return refine(net.v, v, rows); });
+}
+
+Net interpolated(const Net& net, const Axis& u, const Axis& v) {
+    const Eigen::MatrixXd along_u = interpolation(net.u, u);
+    const Eigen::MatrixXd along_v = interpolation(net.v, v);
+    return mapped(
+        net, u, v, [&](const Eigen::MatrixXd& rows) { return Eigen::MatrixXd(rows * along_u); },
+        [&](const Eigen::MatrixXd& rows) { return Eigen::MatrixXd(rows * along_v); });
 }
 
 std::vector<Eigen::MatrixXd> gram_matrices(const Axis& axis) {
@@ -156,12 +199,15 @@ const GaussRule& gauss_rule(int points) {
     static const GaussRule two = {{0.2113248654051871, 0.7886751345948129}, {0.5, 0.5}};
     static const GaussRule three = {{0.1127016653792583, 0.5, 0.8872983346207417},
                                     {0.2777777777777778, 0.4444444444444444, 0.2777777777777778}};
+    static const GaussRule four = {
+        {0.0694318442029737, 0.3300094782075719, 0.6699905217924281, 0.9305681557970263},
+        {0.1739274225687269, 0.3260725774312731, 0.3260725774312731, 0.1739274225687269}};
     static const GaussRule six = {{0.0337652428984240, 0.1693953067668677, 0.3806904069584015,
                                    0.6193095930415985, 0.8306046932331323, 0.9662347571015760},
                                   {0.0856622461895852, 0.1803807865240693, 0.2339569672863455,
                                    0.2339569672863455, 0.1803807865240693, 0.0856622461895852}};
-    SUTURE_EXPECTS(points == 2 || points == 3 || points == kOrder);
-    return points == 2 ? two : points == 3 ? three : six;
+    SUTURE_EXPECTS(points == 2 || points == 3 || points == 4 || points == kOrder);
+    return points == 2 ? two : points == 3 ? three : points == 4 ? four : six;
 }
 
 }  // namespace suture::mvs

@@ -70,11 +70,15 @@ struct Net {
 
 [[nodiscard]] Net refine(const Net& net, const Axis& u, const Axis& v);
 
+/// The net over other axes between the same ends that has the same points where the functions of
+/// those have their middles (Greville's abscissae).
+[[nodiscard]] Net interpolated(const Net& net, const Axis& u, const Axis& v);
+
 /// Gram matrices of one axis: entry (d, e) of band k is the integral of B_i^(d) B_{i+k}^(d).
 /// Result: matrices[d] is count x kOrder, column k the k-th upper diagonal, for d = 0..3.
 [[nodiscard]] std::vector<Eigen::MatrixXd> gram_matrices(const Axis& axis);
 
-/// Nodes and weights on [0,1] of the Gauss rule with 2, 3 or 6 points.
+/// Nodes and weights on [0,1] of the Gauss rule with 2, 3, 4 or 6 points.
 struct GaussRule {
     std::vector<double> nodes, weights;
 };

@@ -29,7 +29,9 @@ struct Schedule {
     // Times that islands and inner points are laid out again before the exact functional counts.
     int relayed = 2;
     // Samples a span, and on a side at least; as many again, and more, to measure between them.
+    // A span beside a knot line has more freedom of its own.
     double samples_per_span = 5.0;
+    double samples_per_span_with_lines = 7.0;
     int least_samples = 8;
     double measured_per_span = 8.0;
     int least_measured = 20;
@@ -56,7 +58,7 @@ struct Schedule {
     // much of that, one without the rest; a level begins where so many steps of it are affordable.
     double most_work = 1e11;
     double share_of_lines = 0.75;
-    double steps_ahead = 2.0;
+    double steps_ahead = 1.0;
     // Attempts with curvature along sides that may give it up get so much each, the last one, with
     // tangency alone, all of it: it is as good as if nobody had asked for curvature.
     double share_of_curvature = 0.5;
@@ -80,6 +82,8 @@ struct Schedule {
     SolverOptions rough_steps = {5, 3e-3, 0.0, 1e-2};
     SolverOptions exact_steps = {8, 2e-6, 0.0002, 1e-1};
     SolverOptions fine_steps = {3, 3e-6, 0.05, 1.0};
+    // Beside knot lines the parametrisation is free span by span, and needs more to hold it.
+    SolverOptions lined_steps = {3, 3e-6, 0.05, 1e2};
 
     // Curvature that is asked for may make gap and angle worse by this factor, where they are out
     // of tolerance.

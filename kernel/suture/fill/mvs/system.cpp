@@ -21,6 +21,8 @@ namespace {
 constexpr int kQuadrature = 3;
 // Beside a line that freedom is a span's own.
 constexpr int kQuadratureBesideLine = 6;
+// And there, where the whole span is inside the domain, so that no point is missing.
+constexpr int kQuadratureInside = 4;
 // The start: how much the speed across the boundary counts against position, and the flat energy.
 constexpr double kStartAcross = 1e-3;
 constexpr double kStartBending = 1e-6;
@@ -44,22 +46,45 @@ System::System(Axis u, Axis v, const std::vector<Eigen::Matrix2Xd>& polygons,
 
 System::Nodes System::nodes_of(const Axis& axis) {
     Nodes nodes;
-    for (int k = 0; k < axis.spans(); ++k) {
-        nodes.first.push_back(nodes.at.size());
-        if (axis.empty(k)) {
-            continue;
-        }
-        const GaussRule& rule =
-            gauss_rule(axis.beside_line(k) ? kQuadratureBesideLine : kQuadrature);
-        const double width = axis.upper(k) - axis.lower(k);
+    const auto place = [&](int span, int points) {
+        const std::size_t first = nodes.at.size();
+        const GaussRule& rule = gauss_rule(points);
+        const double width = axis.upper(span) - axis.lower(span);
         for (std::size_t q = 0; q < rule.nodes.size(); ++q) {
-            nodes.at.push_back(axis.lower(k) + rule.nodes[q] * width);
+            nodes.at.push_back(axis.lower(span) + rule.nodes[q] * width);
             nodes.weights.push_back(rule.weights[q] * width);
             nodes.rows.push_back(basis_row(axis, nodes.at.back()));
         }
+        return Range{first, nodes.at.size()};
+    };
+    for (int k = 0; k < axis.spans(); ++k) {
+        if (axis.empty(k)) {
+            nodes.cut.push_back({});
+            nodes.whole.push_back({});
+        } else if (axis.beside_line(k)) {
+            nodes.cut.push_back(place(k, kQuadratureBesideLine));
+            nodes.whole.push_back(place(k, kQuadratureInside));
+        } else {
+            nodes.cut.push_back(place(k, kQuadrature));
+            nodes.whole.push_back(nodes.cut.back());
+        }
     }
-    nodes.first.push_back(nodes.at.size());
     return nodes;
+}
+
+void System::place_point(Span& span, std::size_t u_row, std::size_t v_row) const {
+    span.points.push_back({u_row, v_row, u_nodes_.weights[u_row] * v_nodes_.weights[v_row]});
+}
+
+void System::place_in_whole(Span& span) const {
+    const Range columns = u_nodes_.whole[static_cast<std::size_t>(span.u)];
+    const Range rows = v_nodes_.whole[static_cast<std::size_t>(span.v)];
+    span.points.clear();
+    for (std::size_t q = rows.first; q < rows.end; ++q) {
+        for (std::size_t p = columns.first; p < columns.end; ++p) {
+            place_point(span, p, q);
+        }
+    }
 }
 
 void System::place_quadrature(const std::vector<Eigen::Matrix2Xd>& polygons) {
@@ -71,20 +96,27 @@ void System::place_quadrature(const std::vector<Eigen::Matrix2Xd>& polygons) {
             spans_.push_back({i, j, {}, {}});
         }
     }
-    for (std::size_t j = 0; j + 1 < v_nodes_.first.size(); ++j) {
-        for (std::size_t q = v_nodes_.first[j]; q < v_nodes_.first[j + 1]; ++q) {
+    for (std::size_t j = 0; j < v_nodes_.cut.size(); ++j) {
+        const Range rows = v_nodes_.cut[j];
+        for (std::size_t q = rows.first; q < rows.end; ++q) {
             const std::vector<double> cut = crossings(polygons, v_nodes_.at[q]);
             for (std::size_t i = 0; i < width; ++i) {
-                for (std::size_t p = u_nodes_.first[i]; p < u_nodes_.first[i + 1]; ++p) {
+                for (std::size_t p = u_nodes_.cut[i].first; p < u_nodes_.cut[i].end; ++p) {
                     const auto before =
                         std::lower_bound(cut.begin(), cut.end(), u_nodes_.at[p]) - cut.begin();
                     if (before % 2 == 1) {
-                        spans_[i + width * j].points.push_back(
-                            {p, q, u_nodes_.weights[p] * v_nodes_.weights[q]});
-                        ++point_count_;
+                        place_point(spans_[i + width * j], p, q);
                     }
                 }
             }
+        }
+        for (std::size_t i = 0; i < width; ++i) {
+            Span& span = spans_[i + width * j];
+            const Range columns = u_nodes_.cut[i];
+            if (span.points.size() == columns.count() * rows.count()) {
+                place_in_whole(span);
+            }
+            point_count_ += span.points.size();
         }
     }
 }

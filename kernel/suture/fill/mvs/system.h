@@ -98,13 +98,21 @@ class System {
 
     void place_quadrature(const std::vector<Eigen::Matrix2Xd>& polygons);
     void place_samples();
-    /// The Gauss points in one direction, span by span.
+    struct Range {
+        std::size_t first = 0;
+        std::size_t end = 0;
+        [[nodiscard]] std::size_t count() const { return end - first; }
+    };
+    /// The Gauss points in one direction, span by span: for spans that the boundary cuts, and for
+    /// those wholly inside.
     struct Nodes {
         std::vector<BasisRow> rows;
         std::vector<double> at, weights;
-        std::vector<std::size_t> first;  ///< of each span, and the end
+        std::vector<Range> cut, whole;
     };
     [[nodiscard]] static Nodes nodes_of(const Axis& axis);
+    void place_point(Span& span, std::size_t u_row, std::size_t v_row) const;
+    void place_in_whole(Span& span) const;
     [[nodiscard]] BlockBand flat(const std::array<double, 4>& orders, double jump) const;
     [[nodiscard]] LocalBasis basis_at(const QuadraturePoint& point) const;
     [[nodiscard]] Residuals residuals(std::size_t sample, const LocalPoles& poles) const;

@@ -134,11 +134,14 @@ TEST(FillMvs, ClosesASuitcaseCornerOfAnyRadiusByASphere) {
     }
 }
 
-TEST(FillMvs, MeetsTheLengthToleranceOnLargePartsToo) {
-    for (const double radius : {1e3, 5e3, 1e4}) {
+TEST(FillMvs, MeetsTheLengthToleranceOnBoxCornersOfAnySize) {
+    for (const double radius : {1e-3, 1e-2, 0.1, 1.0, 10.0, 100.0, 1e3, 5e3, 1e4, 1e5}) {
         const Hole hole = zoo::suitcase_corner(radius);
         const Measured m = filled(hole, {zoo::sphere(radius), {-1.0, -1.0}, {3.0, 1.5}});
-        EXPECT_LT(m.gap, std::max(1e-7, Tolerance().linear / hole.diameter)) << radius;
+        const double gap = m.gap * hole.diameter;
+        EXPECT_LT(gap, std::max(1e-7 * hole.diameter, Tolerance().linear)) << radius;
+        EXPECT_LT(m.gap, 1e-5) << radius;
+        EXPECT_LT(m.angle_deg, 0.01) << radius;
     }
 }
 

@@ -112,6 +112,23 @@ TEST(LayOut, TurnsOutwardsAtCuspsInEveryPosition) {
     }
 }
 
+TEST(DomainCurve, KeepsItsDirectionAndBendWhereItsEndsAreMoved) {
+    Eigen::Matrix2Xd coefficients(2, 4);
+    coefficients << 0.1, 0.5, 0.02, -0.03, -0.2, 0.1, 0.07, 0.01;
+    const DomainCurve curve(coefficients);
+    const Eigen::Vector2d start(0.03, -0.01);
+    const Eigen::Vector2d end(-0.02, 0.04);
+    const DomainCurve moved = curve.with_ends_moved(start, end);
+    EXPECT_LT((moved.at(0.0) - curve.at(0.0) - start).norm(), 1e-14);
+    EXPECT_LT((moved.at(1.0) - curve.at(1.0) - end).norm(), 1e-14);
+    EXPECT_LT((moved.at(0.5) - curve.at(0.5) - 0.5 * (start + end)).norm(), 1e-14);
+    for (const double s : {0.0, 1.0}) {
+        const double beside = s == 0.0 ? 1e-5 : 1.0 - 1e-5;
+        EXPECT_LT((moved.derivative(s) - curve.derivative(s)).norm(), 1e-13);
+        EXPECT_LT((moved.derivative(beside) - curve.derivative(beside)).norm(), 1e-9);
+    }
+}
+
 TEST(LayOut, RefusesASideOfZeroLength) {
     const Hole hole =
         zoo::window(zoo::sphere(1.0), zoo::polygon({{0, 0}, {0.5, 0}, {0.5, 0}, {0.2, 0.4}}));

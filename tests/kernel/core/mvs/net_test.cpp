@@ -1,5 +1,8 @@
 #include "suture/fill/mvs/net.h"
 
+#include "suture/fill/mvs/knot_lines.h"
+
+#include "nets.h"
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -31,6 +34,37 @@ TEST(Net, RefinementLeavesTheSurfaceAsItIs) {
     for (const double s : {-0.5, -0.31, 0.1, 0.69}) {
         for (const double t : {-1.0, -0.4, 0.05, 0.99}) {
             EXPECT_LT((point(net, s, t) - point(finer, s, t)).norm(), 1e-14);
+        }
+    }
+}
+
+TEST(Net, InterpolationKeepsWhatTheNewAxesCanBearAndIsNearElsewhere) {
+    const Net coarse{uniform_axis(-0.5, 0.7, 1), uniform_axis(-1.0, 1.0, 1),
+                     some_net().poles.leftCols(36)};
+    const Axis u = lined_axis(-0.5, 0.7, 0.3, 0, {{0, 0.1, {}}});
+    const Axis v = lined_axis(-1.0, 1.0, 0.4, 1, {{1, -0.3, {}}, {1, 0.5, {}}});
+    const Net exact = interpolated(coarse, u, v);  // a polynomial
+    const Net smooth = test::net_on(
+        [](double a, double b) { return Eigen::Vector3d(a, b, 0.1 * std::sin(2.0 * a * b)); },
+        uniform_axis(-0.5, 0.7, 7), uniform_axis(-1.0, 1.0, 9));
+    const Net near = interpolated(smooth, u, v);
+    for (const double s : {-0.5, -0.31, 0.1, 0.69}) {
+        for (const double t : {-1.0, -0.4, 0.05, 0.99}) {
+            EXPECT_LT((point(coarse, s, t) - point(exact, s, t)).norm(), 1e-12);
+            EXPECT_LT((point(smooth, s, t) - point(near, s, t)).norm(), 1e-3);
+        }
+    }
+}
+
+TEST(Net, GaussRulesIntegratePowers) {
+    for (const int points : {2, 3, 4, 6}) {
+        const GaussRule& rule = gauss_rule(points);
+        for (int power = 0; power < 2 * points; ++power) {
+            double sum = 0.0;
+            for (std::size_t k = 0; k < rule.nodes.size(); ++k) {
+                sum += rule.weights[k] * std::pow(rule.nodes[k], power);
+            }
+            EXPECT_NEAR(sum, 1.0 / (power + 1.0), 1e-14) << points << " points, power " << power;
         }
     }
 }
