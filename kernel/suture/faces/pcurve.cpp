@@ -35,6 +35,11 @@ constexpr int kDegrees[] = {3, 5, 7, 9, 11, 13};
 /// How far from unit speed a line may run and still be written as one: rounding only.
 constexpr double kUnitSpeed = 1e-12;
 
+/// And where the angles of a file are rounded as well, if in space that is this share of the
+/// accuracy.
+constexpr double kRoundedSpeed = 1e-9;
+constexpr double kOfAccuracy = 1e-2;
+
 double distance(const Curve& at, const Geom2d_Curve& curve, const Geom_Surface& surface,
                 double first, double last, int intervals) {
     double largest = 0.0;
@@ -50,13 +55,15 @@ double distance(const Curve& at, const Geom2d_Curve& curve, const Geom_Surface& 
     return largest;
 }
 
-Handle<Geom2d_Curve> straight(const Curve& at, double first, double last) {
+/// Input    rounding: how far from unit speed it may be taken for OCCT's line.
+Handle<Geom2d_Curve> straight(const Curve& at, double first, double last, double rounding) {
     const Vector2d a = at(first);
     const Vector2d b = at(last);
     const Vector2d velocity = (b - a) / (last - first);
-    if (std::abs(velocity.norm() - 1.0) < kUnitSpeed) {
-        const Vector2d origin = a - velocity * first;
-        return occ::make<Geom2d_Line>(occ::to_point(origin), gp_Dir2d(velocity.x(), velocity.y()));
+    if (std::abs(velocity.norm() - 1.0) < rounding) {
+        const Vector2d along = velocity.normalized();
+        const Vector2d origin = 0.5 * (a + b) - along * (0.5 * (first + last));
+        return occ::make<Geom2d_Line>(occ::to_point(origin), gp_Dir2d(along.x(), along.y()));
     }
     TColgp_Array1OfPnt2d poles(1, 2);
     poles.SetValue(1, occ::to_point(a));
@@ -135,8 +142,12 @@ Handle<Geom2d_Curve> interpolated(const Curve& at, double first, double last, in
 
 Handle<Geom2d_Curve> fit_pcurve(const Curve& at, double first, double last,
                                 const Geom_Surface& surface, double accuracy, Pieces pieces) {
-    Handle<Geom2d_Curve> best = straight(at, first, last);
+    Handle<Geom2d_Curve> best = straight(at, first, last, kRoundedSpeed);
     double best_distance = distance(at, *best, surface, first, last, kFewestPoints);
+    if (best_distance > kOfAccuracy * accuracy) {
+        best = straight(at, first, last, kUnitSpeed);
+        best_distance = distance(at, *best, surface, first, last, kFewestPoints);
+    }
     const auto take = [&](const Handle<Geom2d_Curve>& curve, int intervals) {
         const double d = distance(at, *curve, surface, first, last, intervals);
         if (d < best_distance) {

@@ -40,6 +40,18 @@ TEST(FitPcurve, KeepsALineOfUnitSpeedALine) {
     EXPECT_LT(largest_distance(at, *curve, -3.0, 5.0), 1e-14);
 }
 
+// A file has angles to 13 digits: a quarter of a circle runs at unit speed but for that.
+TEST(FitPcurve, TakesALineOfRoundedSpeedForOne) {
+    for (const double off : {1e-10, 1e-8}) {
+        const Curve at = [off](double t) { return Vector2d(1.0 + (1.0 + off) * t, 2.0); };
+        const auto curve = fit_pcurve(at, 4.0, 5.5, *plane(), 1e-8);
+        EXPECT_EQ(!occ::cast<Geom2d_Line>(curve).IsNull(), off < 1e-9);
+        EXPECT_LT(largest_distance(at, *curve, 4.0, 5.5), 1e-10);
+        // Not where it would be seen.
+        EXPECT_TRUE(occ::cast<Geom2d_BSplineCurve>(fit_pcurve(at, 4.0, 5.5, *plane(), 1e-12)));
+    }
+}
+
 TEST(FitPcurve, KeepsALineOfAnyOtherSpeedStraight) {
     const Curve at = [](double t) { return Vector2d(1.0 + 6.0 * t, 2.0 - 8.0 * t); };
     const auto spline = occ::cast<Geom2d_BSplineCurve>(fit_pcurve(at, -3.0, 5.0, *plane(), 1e-9));

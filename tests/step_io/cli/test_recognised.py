@@ -72,6 +72,26 @@ class Recognised(unittest.TestCase):
         self.assertLess(hole["max_gap"], 1e-12)
         self.assertLess(hole["max_angle_deg"], 1e-9)
 
+    def test_a_corner_turned_and_moved_costs_no_more(self):
+        sys.path.append("/usr/lib/freecad-python3/lib")
+        import FreeCAD
+        import Part
+
+        corner = Part.Shape()
+        corner.read(str(example("suitcase_corner")))
+        turn = FreeCAD.Rotation(FreeCAD.Vector(1, 2, 3), 50)
+        for name, place in (
+            ("turned", FreeCAD.Placement(FreeCAD.Vector(), turn)),
+            ("turned and moved", FreeCAD.Placement(FreeCAD.Vector(100, 200, -300), turn)),
+            ("far away", FreeCAD.Placement(FreeCAD.Vector(1e6, 1e6, 1e6), FreeCAD.Rotation())),
+        ):
+            with self.subTest(name):
+                model = self.folder / "turned.step"
+                corner.transformed(place.toMatrix(), True).exportStep(str(model))
+                out, hole = self.fill(model)
+                self.assertEqual(hole["recognised"]["kind"], "sphere")
+                self.assertLess(out.stat().st_size, model.stat().st_size + 2048)
+
     def test_windows_of_swept_and_offset_faces_keep_their_kind(self):
         models = list(write_windows(self.folder))
         import Part  # after FreeCAD
