@@ -6,6 +6,7 @@
 #include "suture/fill/recognise/plain.h"
 #include "suture/fill/recognise/surface_foot.h"
 #include "suture/occ/convert.h"
+#include "suture/occ/model_surface.h"
 
 #include <Eigen/Geometry>
 
@@ -16,6 +17,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <optional>
 
 namespace suture {
@@ -85,8 +87,10 @@ class Ruler {
 };
 
 /// The closed form at a distance, or OCCT's offset of anything else.
-std::optional<Surface> offset_of(const Surface& surface, const TopoDS_Face& face, double distance,
-                                 const Hole& hole) {
+///
+/// Result   without what it is to be called.
+std::optional<Candidate> offset_of(const Surface& surface, const TopoDS_Face& face, double distance,
+                                   const Hole& hole) {
     if (recognise::closed_form(surface)) {
         Surface result = surface;
         if (auto* plane = std::get_if<Plane>(&result)) {
@@ -98,11 +102,17 @@ std::optional<Surface> offset_of(const Surface& surface, const TopoDS_Face& face
         } else {
             *recognise::sizes_of(result).front() += distance;
         }
-        return result;
+        return Candidate{std::move(result), {}, {}};
     }
     const occ::Handle<Geom_Surface> offset =
         occ::make<Geom_OffsetSurface>(BRep_Tool::Surface(face), distance);
-    return to_surface(offset, hole);
+    auto copy = to_surface(offset, hole);
+    if (!copy) {
+        return std::nullopt;
+    }
+    Candidate candidate{std::move(*copy), {}, {}};
+    candidate.original = std::make_shared<const ModelSurface>(offset);
+    return candidate;
 }
 
 bool within_reach(const TopoDS_Face& face, const Border& border) {
@@ -174,10 +184,11 @@ std::vector<Candidate> find_carriers(const std::vector<TopoDS_Face>& faces,
             const double size = std::abs(range.middle());
             const double round = recognise::find_round_length(size, half).value_or(size);
             const double distance = std::copysign(round, range.middle());
-            if (const auto offset = offset_of(surface, face, distance, hole)) {
-                moved.push_back({*offset, "offset",
-                                 fmt::format("face {}, offset by {:.7g}", number, round), 0.0,
-                                 recognise::chance_of_round(size, round)});
+            if (auto offset = offset_of(surface, face, distance, hole)) {
+                offset->kind = "offset";
+                offset->from = fmt::format("face {}, offset by {:.7g}", number, round);
+                offset->chance = recognise::chance_of_round(size, round);
+                moved.push_back(std::move(*offset));
             }
         }
     }

@@ -3,6 +3,7 @@
 #include "suture/candidates/loop_points.h"
 #include "suture/candidates/to_surface.h"
 #include "suture/occ/convert.h"
+#include "suture/occ/model_surface.h"
 
 #include <Eigen/LU>
 #include <Eigen/SVD>
@@ -15,6 +16,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
 namespace suture {
 namespace {
@@ -99,6 +101,11 @@ std::vector<TopoDS_Edge> outline_of(const TopoDS_Face& face) {
     return edges;
 }
 
+/// How far points lie from their middle: the same for congruent ones.
+Eigen::RowVectorXd radii_of(const Matrix3Xd& points) {
+    return (points.colwise() - points.rowwise().mean()).colwise().norm();
+}
+
 /// All motions of an outline onto the hole's that fit: a planar one has a turn and a mirror image.
 /// One corner of the hole has to be a corner of the other outline.
 std::vector<Motion> motions(const std::vector<Matrix3Xd>& hole, const LoopPoints& twin,
@@ -107,7 +114,11 @@ std::vector<Motion> motions(const std::vector<Matrix3Xd>& hole, const LoopPoints
     for (const double start : twin.corners()) {
         for (const bool backwards : {false, true}) {
             const Matrix3Xd y = twin.points(start, kPoints, backwards);
+            const Eigen::RowVectorXd radii = radii_of(y);
             for (const Matrix3Xd& x : hole) {
+                if ((radii_of(x) - radii).cwiseAbs().maxCoeff() > limit) {
+                    continue;  // a motion would miss by as much
+                }
                 for (const bool mirrored : {false, true}) {
                     const Motion motion = align(x, y, mirrored);
                     const bool known =
@@ -199,7 +210,8 @@ std::vector<Candidate> find_twins(const std::vector<TopoDS_Face>& faces,
              fmt::format("{} of face {}", mirrored ? "mirrored twin" : "twin",
                          numbering.of(twin.face)),
              std::min(1.5 * noise, kCongruent * hole.diameter) + 2.0 * twin.motion.miss, 1.0,
-             TwinSource{numbering.of(twin.face), isometry(twin.motion)}});
+             TwinSource{numbering.of(twin.face), isometry(twin.motion)},
+             std::make_shared<const ModelSurface>(moved)});
     }
     return candidates;
 }

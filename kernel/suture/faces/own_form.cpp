@@ -2,6 +2,7 @@
 
 #include "suture/occ/convert.h"
 #include "suture/occ/guard.h"
+#include "suture/occ/model_surface.h"
 
 #include <BRep_Tool.hxx>
 #include <GeomLProp_SLProps.hxx>
@@ -205,35 +206,46 @@ bool has_sides_alone(const Patch& patch) {
     });
 }
 
+/// The surfaces that a patch may be a copy of: the one that it was made from, those around it.
+std::vector<Handle<Geom_Surface>> surfaces_for(const Patch& patch,
+                                               const std::vector<BoundaryLoop>& loops) {
+    std::vector<Handle<Geom_Surface>> surfaces;
+    if (patch.original) {
+        surfaces.push_back(patch.original->surface);
+    }
+    for (const BoundaryLoop& loop : loops) {
+        for (const BoundaryEdge& edge : loop.edges) {
+            if (!edge.face.IsNull()) {
+                surfaces.push_back(BRep_Tool::Surface(edge.face));
+            }
+        }
+    }
+    return surfaces;
+}
+
 std::optional<OwnForm> find_form(const Patch& patch, const std::vector<BoundaryLoop>& loops,
                                  const Hole& hole) {
     std::vector<Handle<Geom_Surface>> known;
     Handle<Geom_Surface> spline;
-    for (const BoundaryLoop& loop : loops) {
-        for (const BoundaryEdge& edge : loop.edges) {
-            if (edge.face.IsNull()) {
-                continue;
+    for (const Handle<Geom_Surface>& surface : surfaces_for(patch, loops)) {
+        auto kind = kind_of(surface);
+        if (!kind || std::ranges::find(known, surface) != known.end()) {
+            continue;
+        }
+        known.push_back(surface);
+        if (spline.IsNull()) {
+            const auto made = occ::to_occ(patch.surface);
+            if (!made) {
+                return std::nullopt;
             }
-            const Handle<Geom_Surface> surface = BRep_Tool::Surface(edge.face);
-            auto kind = kind_of(surface);
-            if (!kind || std::ranges::find(known, surface) != known.end()) {
-                continue;
-            }
-            known.push_back(surface);
-            if (spline.IsNull()) {
-                const auto made = occ::to_occ(patch.surface);
-                if (!made) {
-                    return std::nullopt;
-                }
-                spline = *made;
-            }
-            if (!is_copy(spline, surface, hole.diameter)) {
-                continue;
-            }
-            if (auto trace = trace_on(surface, hole)) {
-                return OwnForm{std::move(*kind), occ::cast<Geom_Surface>(surface->Copy()),
-                               std::move(*trace)};
-            }
+            spline = *made;
+        }
+        if (!is_copy(spline, surface, hole.diameter)) {
+            continue;
+        }
+        if (auto trace = trace_on(surface, hole)) {
+            return OwnForm{std::move(*kind), occ::cast<Geom_Surface>(surface->Copy()),
+                           std::move(*trace)};
         }
     }
     return std::nullopt;

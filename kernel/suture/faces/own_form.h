@@ -20,14 +20,16 @@ namespace suture {
 inline constexpr int kTraced = 33;
 using HoleTrace = std::vector<std::vector<std::vector<Eigen::Vector2d>>>;
 
-/// A neighbour's extruded, revolved or offset surface, which a fill method has as a B-spline only.
+/// An extruded, revolved or offset surface, which a fill method has as a B-spline only: a
+/// neighbour's, a moved one, an offset.
 struct OwnForm {
     std::string kind;  ///< "surface of extrusion", "surface of revolution", "offset surface"
     occ::Handle<Geom_Surface> surface;  ///< a copy: an edge keeps one curve for each surface
     HoleTrace trace;
 };
 
-/// The surface of a face around the hole of which the patch is a copy as a B-spline.
+/// The surface of which the patch is a copy as a B-spline: the one that it says itself, or that of
+/// a face around the hole.
 ///
 /// Input    loops: the hole's, whose edges have the faces.
 /// Result   nothing where the patch is no B-spline, lies further off than 2e-7 of the hole's

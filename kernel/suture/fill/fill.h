@@ -9,6 +9,7 @@
 #include "suture/model/ribbon.h"
 
 #include <functional>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -26,6 +27,7 @@ struct Candidate {
     double allowed = 0.0;  ///< how far it may miss the border by its origin, in model units
     double chance = 1.0;   ///< how probable it is that another one is as plain
     std::optional<TwinSource> twin = {};  ///< of a twin: the face that it is a copy of
+    std::shared_ptr<const ModelSurface> original = {};  ///< as Patch::original
 };
 
 /// Looks for such surfaces: asked only where they are needed, thread safe.

@@ -108,6 +108,7 @@ Result<FillResult> deliver(const Proposal& proposal, const Hole& hole, const Fil
         return result;
     }
     Patch& patch = result->patches.front();
+    patch.original = proposal.original;
     patch.exact = proposal.fit_error == 0.0;
     patch.fit_error = proposal.fit_error;
     result->notes.push_back("recognised: " +

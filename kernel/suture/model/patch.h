@@ -7,6 +7,7 @@
 #include <Eigen/Core>
 
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -40,6 +41,9 @@ struct EdgeUse {
     bool pole_after = false;
 };
 
+/// A surface of the model in its own form: occ/model_surface.h.
+struct ModelSurface;
+
 /// One surface and its outline: sides of the hole and inner edges.
 struct Patch {
     Surface surface;
@@ -50,6 +54,8 @@ struct Patch {
     /// is used twice by one patch, once backwards, is a seam: where a patch that goes all the way
     /// around its surface is cut open, from corner to corner or to a pole.
     std::vector<std::vector<EdgeUse>> wires;
+    /// What the surface is a copy of as a B-spline, if the model has it in another form.
+    std::shared_ptr<const ModelSurface> original = {};
 };
 
 /// All sides of a loop in their order, as a wire.

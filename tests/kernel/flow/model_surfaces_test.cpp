@@ -1,35 +1,25 @@
 #include "support/grids.h"
 #include "support/properties.h"
 #include "suture/fill_holes.h"
-#include "suture/occ/handle.h"
 #include "suture/occ/topology.h"
 
 #include "kernel/flow/placements.h"
 #include "kernel/flow/rounded_models.h"
+#include "kernel/flow/swept_sheets.h"
 #include <gtest/gtest.h>
 
 #include <BRepAdaptor_Curve.hxx>
 #include <BRepAdaptor_Surface.hxx>
 #include <BRepAlgoAPI_Common.hxx>
 #include <BRepAlgoAPI_Cut.hxx>
-#include <BRepBuilderAPI_MakeEdge.hxx>
-#include <BRepBuilderAPI_MakeFace.hxx>
-#include <BRepBuilderAPI_NurbsConvert.hxx>
 #include <BRepCheck_Analyzer.hxx>
 #include <BRepFilletAPI_MakeFillet.hxx>
 #include <BRepMesh_IncrementalMesh.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
-#include <BRepPrimAPI_MakePrism.hxx>
-#include <BRepPrimAPI_MakeRevol.hxx>
 #include <BRep_Tool.hxx>
-#include <GeomAPI_PointsToBSpline.hxx>
 #include <GeomAPI_ProjectPointOnSurf.hxx>
-#include <Geom_BSplineCurve.hxx>
-#include <Geom_OffsetSurface.hxx>
 #include <Poly_Triangulation.hxx>
-#include <TColgp_Array1OfPnt.hxx>
-#include <TopoDS.hxx>
 
 #include <cmath>
 #include <map>
@@ -40,30 +30,9 @@ namespace {
 using placements::placed;
 using placements::Placement;
 using rounded::middle;
+using swept_sheets::Sweep;
+using swept_sheets::swept;
 using test::area;
-
-/// How a sheet is made of a B-spline profile: turned about the z axis, pushed along it, or turned
-/// and moved along its normals.
-enum class Sweep { Turned, Pushed, Offset };
-
-TopoDS_Face swept(Sweep sweep) {
-    const bool turned = sweep != Sweep::Pushed;
-    TColgp_Array1OfPnt points(1, 5);
-    const double x[] = {10.0, 13.0, 9.0, 12.0, 11.0};
-    for (int i = 1; i <= 5; ++i) {
-        points.SetValue(i, turned ? gp_Pnt(x[i - 1], 0, 4.0 * i) : gp_Pnt(x[i - 1], 4.0 * i, 0));
-    }
-    const TopoDS_Edge profile = BRepBuilderAPI_MakeEdge(GeomAPI_PointsToBSpline(points).Curve());
-    const TopoDS_Shape sheet =
-        turned ? BRepPrimAPI_MakeRevol(profile, gp_Ax1(gp_Pnt(0, 0, 0), gp::DZ()), 1.5).Shape()
-               : BRepPrimAPI_MakePrism(profile, gp_Vec(0, 0, 14)).Shape();
-    if (sweep != Sweep::Offset) {
-        return occ::faces_of(sheet).front();
-    }
-    const auto spline =
-        BRep_Tool::Surface(TopoDS::Face(BRepBuilderAPI_NurbsConvert(sheet, /*Copy=*/true).Shape()));
-    return BRepBuilderAPI_MakeFace(occ::make<Geom_OffsetSurface>(spline, 0.7), 1e-7);
-}
 
 TEST(Recognise, GivesBackWindowsOfRevolvedExtrudedAndOffsetFacesInTheirOwnKind) {
     const std::map<Sweep, std::pair<std::string, GeomAbs_SurfaceType>> kinds = {

@@ -5,6 +5,7 @@
 #include "suture/fill/recognise/agreement.h"
 #include "suture/fill/recognise/border.h"
 
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -18,8 +19,9 @@ struct Proposal {
     Agreement agreement;
     Recognised what;
     std::vector<std::string> facts;
-    double fit_error = 0.0;  ///< of a ball's envelope
-    std::string kind = {};   ///< of a candidate of the model
+    double fit_error = 0.0;                             ///< of a ball's envelope
+    std::string kind = {};                              ///< of a candidate of the model
+    std::shared_ptr<const ModelSurface> original = {};  ///< as Patch::original
 };
 
 /// The kind of a candidate that is some face's own surface.

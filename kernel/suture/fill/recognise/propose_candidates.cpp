@@ -44,7 +44,8 @@ std::vector<Proposal> propose_candidates(const Border& border, const FillOptions
                              std::move(what),
                              {candidate.from},
                              0.0,
-                             candidate.kind});
+                             candidate.kind,
+                             candidate.original});
     }
     return proposals;
 }
