@@ -17,8 +17,10 @@ if [ ! -e "$library/libtbb.so.12" ]; then
     apt="-qq -o Dir::Etc::sourcelist=/dev/null -o Dir::Etc::sourceparts=$tbb/sources -o Dir::State::lists=$tbb/lists"
     (cd "$tbb" && apt-get $apt update && apt-get $apt source onetbb)
     cmake -S "$tbb"/onetbb-*/ -B "$tbb/build" -G Ninja -DCMAKE_BUILD_TYPE=RelWithDebInfo -DTBB_SANITIZE=thread \
-        -DTBB_TEST=OFF -DTBB_STRICT=OFF -DTBBMALLOC_BUILD=OFF -DCMAKE_LIBRARY_OUTPUT_DIRECTORY="$library"
+        -DTBB_TEST=OFF -DTBB_STRICT=OFF -DTBBMALLOC_BUILD=OFF
     cmake --build "$tbb/build"
+    mkdir -p "$library"
+    cp -P "$tbb"/build/*/libtbb.so* "$library"
 fi
 cmake --preset tsan --log-level=NOTICE
 cmake --build --preset tsan
