@@ -10,7 +10,7 @@
 namespace suture::concentric {
 namespace {
 
-/// Chords of parabolas, as a share of their distance from the vertex.
+/// The angle under which a chord of a parabola is seen from the vertex.
 constexpr double kWidestChord = 0.05;
 
 /// How often the polygon is refined for the axis to move onto: knots in the middles of all spans.

@@ -17,7 +17,7 @@ using Eigen::Vector2d;
 /// all are small, and a series is several times as fast as the function.
 double angle_of(double sine, double cosine) {
     const double t = sine / cosine;
-    constexpr double kSmall = 0.03;  // the first term left out is below 2e-15
+    constexpr double kSmall = 0.03;  // the first term left out is below 3e-15
     if (cosine > 0.0 && std::abs(t) < kSmall) {
         const double t2 = t * t;
         return t * (1.0 - t2 * (1.0 / 3.0 - t2 * (1.0 / 5.0 - t2 * (1.0 / 7.0))));
