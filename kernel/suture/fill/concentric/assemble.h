@@ -39,14 +39,14 @@ void collapse_rests(SplineCurve& row, const std::vector<Course>& courses,
 /// corner of the hole to the axis, and every edge of the axis has a face, or a part of one, on
 /// either side.
 ///
-///        node <---- axis ---- node       v = 1
+///        node <---- axis ---- node       t = 1
 ///         |                    ^
 ///         | seam i      seam i+1         interior
 ///         v                    |
-///      corner i -- side i --> corner i+1   v = 0
+///      corner i -- side i --> corner i+1   t = 0
 ///
-/// Input    surface: that of a region, whose u is the boundary's parameter; vertex: a node in
-/// space.
+/// Input    surface: that of a region, with the boundary's parameter as u and t as v; vertex: a
+/// node in space.
 [[nodiscard]] FillResult assemble(const std::vector<Region>& regions,
                                   const std::function<SplineSurface(const Region&)>& surface,
                                   const std::function<Eigen::Vector3d(int node)>& vertex);
