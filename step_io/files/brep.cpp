@@ -6,6 +6,7 @@
 #include <BinTools_LocationSet.hxx>
 #include <BinTools_ShapeSet.hxx>
 
+#include <algorithm>
 #include <cctype>
 #include <sstream>
 
@@ -45,6 +46,19 @@ bool has_text_ending(const std::string& bytes) {
            location >= 0 && (last >> std::ws).eof();
 }
 
+/// Near which line of a text its reader found something else than it needed.
+std::string where_it_failed(const std::string& bytes, std::istringstream& stream) {
+    stream.exceptions(std::ios::goodbit);
+    const bool at_end = stream.eof();
+    stream.clear();
+    const std::streamoff position = stream.tellg();
+    if (at_end || position < 0) {
+        return "it ends too early";
+    }
+    return fmt::format("what stands in line {} is not what should be there",
+                       1 + std::count(bytes.begin(), bytes.begin() + position, '\n'));
+}
+
 /// The last list of sub-shapes ends in '*', right before either ending.
 bool has_binary_ending(const std::string& bytes) {
     const auto ends_list = [&](std::streamoff ending) {
@@ -82,7 +96,14 @@ Result<TopoDS_Shape> read_brep_text(const std::string& bytes, const std::filesys
     }
     std::istringstream stream(bytes);
     TopoDS_Shape shape;
-    BRepTools::Read(shape, stream, BRep_Builder());
+    try {
+        // OCCT's reader asks a stream that has failed for more, in some places for ever.
+        stream.exceptions(std::ios::failbit | std::ios::badbit);
+        BRepTools::Read(shape, stream, BRep_Builder());
+    } catch (const std::ios::failure&) {
+        return fail(ErrorCode::Unreadable, "{} is damaged: {}", file.string(),
+                    where_it_failed(bytes, stream));
+    }
     if (shape.IsNull()) {
         return fail(ErrorCode::Unreadable, "{} is damaged: OCCT makes no shape of it",
                     file.string());

@@ -150,6 +150,25 @@ TEST(BadFiles, BrepCutAnywhereIsRefused) {
     }
 }
 
+TEST(BadFiles, TextThatIsNotWhatBrepNeedsIsToldWithItsLineAtOnce) {
+    const Folder folder;
+    write(model_of(BRepPrimAPI_MakeBox(30, 20, 5).Shape(), "box"), folder / "box.brep",
+          Format::BrepText);
+    const std::string whole = content(folder / "box.brep");
+    // A list of what an edge consists of: OCCT's reader never leaves one in which the stream fails.
+    const std::size_t list = whole.find("\n1  ");
+    ASSERT_NE(list, whole.npos);
+    const auto line = 2 + std::count(whole.data(), whole.data() + list, '\n');
+    for (const std::string wrong : {"nan", "-", "x", "99999999999999999999"}) {
+        save(folder / "wrong.brep",
+             whole.substr(0, list + 4) + wrong + " " + whole.substr(list + 4));
+        EXPECT_EQ(
+            refusal(folder / "wrong.brep"),
+            fmt::format("is damaged: what stands in line {} is not what should be there", line))
+            << wrong;
+    }
+}
+
 TEST(BadFiles, AShapeWithoutFaceIsRefused) {
     const Folder folder;
     const TopoDS_Shape box = BRepPrimAPI_MakeBox(30, 20, 5).Shape();
