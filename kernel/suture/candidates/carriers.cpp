@@ -39,8 +39,11 @@ constexpr double kZero = 3.0;
 /// Of the grid from which feet on surfaces without formulas are sought.
 constexpr std::size_t kRows = 20;
 
-/// Points this near to a surface, as a share of the hole's diameter, lie on it.
+/// A foot may lie so far beside the point as a share of their distance; or of the hole's diameter;
+/// or so many times what a coordinate is good to. One on the border of the domain lies further.
+constexpr double kBeside = 0.045;
 constexpr double kOn = 1e-9;
+constexpr double kRounding = 20.0;
 
 /// Walls are thinner than this share of the hole.
 constexpr double kWall = 2.0;
@@ -59,8 +62,8 @@ struct Range {
 
 class Ruler {
   public:
-    /// Input    on: points this near lie on the surface.
-    Ruler(const Surface& surface, double on) : surface_(surface), on_(on) {
+    /// Input    beside: what a foot may lie beside its point in any case.
+    Ruler(const Surface& surface, double beside) : surface_(surface), beside_(beside) {
         if (const auto* spline = std::get_if<SplineSurface>(&surface)) {
             foot_.emplace(*spline, kRows);
         }
@@ -75,14 +78,13 @@ class Ruler {
         const SurfaceJet jet = evaluate(surface_, uv.x(), uv.y());
         const Vector3d n = jet.u.cross(jet.v).normalized();
         const Vector3d d = point - jet.point;
-        // A foot on the border of the domain is none.
-        const bool across = std::abs(d.norm() - std::abs(d.dot(n))) < 1e-3 * d.norm();
-        return d.norm() < on_ || across ? d.dot(n) : INFINITY;
+        const double beside = (d - d.dot(n) * n).norm();
+        return beside <= std::max(kBeside * d.norm(), beside_) ? d.dot(n) : INFINITY;
     }
 
   private:
     const Surface& surface_;
-    double on_;
+    double beside_;
     std::optional<recognise::SurfaceFoot> foot_;
 };
 
@@ -127,8 +129,8 @@ bool within_reach(const TopoDS_Face& face, const Border& border) {
     return !box.IsVoid() && !box.IsOut(hole);
 }
 
-Range range_of(const Surface& surface, const Matrix3Xd& points, double limit, double on) {
-    const Ruler ruler(surface, on);
+Range range_of(const Surface& surface, const Matrix3Xd& points, double limit, double beside) {
+    const Ruler ruler(surface, beside);
     Range range;
     // A few points far apart first: most surfaces are far off.
     const Eigen::Index stride = std::max<Eigen::Index>(points.cols() / 7, 1);
@@ -151,6 +153,7 @@ std::vector<Candidate> find_carriers(const std::vector<TopoDS_Face>& faces,
     const Border border = recognise::border_of(hole, noise);
     const Matrix3Xd points = border.model_points();
     const double limit = std::max(kSpread, 3.0 * border.noise) * border.size;
+    const double beside = std::max(kOn, kRounding * border.rounding) * border.size;
     std::vector<Surface> seen;
     std::vector<Candidate> same;
     std::vector<Candidate> moved;
@@ -170,7 +173,7 @@ std::vector<Candidate> find_carriers(const std::vector<TopoDS_Face>& faces,
             continue;
         }
         seen.push_back(surface);
-        const Range range = range_of(surface, points, limit, kOn * border.size);
+        const Range range = range_of(surface, points, limit, beside);
         const bool far = !(range.spread() <= limit) || !std::isfinite(range.middle());
         if (far || std::abs(range.middle()) > kWall * border.size) {
             continue;

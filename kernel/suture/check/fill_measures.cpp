@@ -128,10 +128,12 @@ FillMeasures measures_of(const FillPlace& place, const std::set<int>& own,
     return measures;
 }
 
-/// A face lies on another one that is nearer than so many times the tolerance, or than this part of
-/// the hole's diameter: what two fits of one surface differ by.
+/// A face lies on another one that is nearer than so many times the tolerance, but for holes so
+/// small that this is a good part of them, or than the smaller part of the hole's diameter: what
+/// two fits of one surface differ by.
 constexpr double kOnSurface = 10.0;
 constexpr double kOnSurfaceShare = 1e-4;
+constexpr double kOnSurfaceMost = 1e-2;
 
 /// The new faces that were found.
 std::vector<int> found_faces(const FillPlace& place) {
@@ -246,7 +248,8 @@ Result<std::vector<FillMeasures>> measure_fills(const TopoDS_Shape& shape,
 Result<void> measure_clashes(const TopoDS_Shape& shape, const FillPlace& place, double diameter,
                              const Tolerance& tolerance, const Progress& progress,
                              FillMeasures& measures) {
-    const double on_surface = std::max(kOnSurface * tolerance.linear, kOnSurfaceShare * diameter);
+    const double on_surface = std::clamp(kOnSurface * tolerance.linear, kOnSurfaceShare * diameter,
+                                         kOnSurfaceMost * diameter);
     auto report = find_clashes(shape, found_faces(place), tolerance.linear, on_surface, progress);
     if (!report) {
         return tl::unexpected(report.error());

@@ -42,9 +42,6 @@ TEST(Recognise, GivesBackWindowsOfRevolvedExtrudedAndOffsetFacesInTheirOwnKind) 
     for (const Placement& placement : placements::all()) {
         for (const auto& [sweep, kind] : kinds) {
             SCOPED_TRACE(placement.name + ", " + kind.first);
-            if (sweep == Sweep::Offset && placement.name == "far") {
-                continue;  // recognise has no B-spline of an offset so far out
-            }
             const bool turned = sweep != Sweep::Pushed;
             // A drill marks the window; behind a revolved sheet's half-way angle, or across the
             // other.

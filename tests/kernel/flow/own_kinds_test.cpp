@@ -219,7 +219,7 @@ TEST(Recognise, GivesOffsetsOfRevolvedFacesTheirOwnKind) {
     builder.MakeCompound(open);
     builder.Add(open, piece.around);
     builder.Add(open, sheet);
-    for (const Placement& placement : {places()[0], places()[1]}) {
+    for (const Placement& placement : places()) {
         SCOPED_TRACE(placement.name);
         expect_given_back(placed(open, placement), placed(piece.face, placement), placement.scale,
                           GeomAbs_OffsetSurface, "offset surface", "offset by");

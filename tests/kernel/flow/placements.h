@@ -25,8 +25,8 @@ inline std::vector<Placement> all() {
     turned.SetRotation(gp_Ax1(gp_Pnt(1, 2, 3), gp_Dir(1, -2, 0.7)), 1.1);
     result.push_back({"turned", turned});
     gp_Trsf small;
-    small.SetScale(gp_Pnt(0, 0, 0), 1e-1);
-    result.push_back({"small", turned * small, 1e-1});
+    small.SetScale(gp_Pnt(0, 0, 0), 1e-3);
+    result.push_back({"small", turned * small, 1e-3});
     gp_Trsf large;
     large.SetScale(gp_Pnt(0, 0, 0), 1e3);
     result.push_back({"large", turned * large, 1e3});
