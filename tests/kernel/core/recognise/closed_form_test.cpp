@@ -2,69 +2,20 @@
 #include "support/windows.h"
 #include "suture/fill/recognise.h"
 
+#include "kernel/core/recognise/closed_forms.h"
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <random>
 
 namespace suture {
 namespace {
 
-using Eigen::Vector2d;
+using closed_forms::sizes;
+using closed_forms::Truth;
+using closed_forms::truths;
+using closed_forms::without_supports;
 using Eigen::Vector3d;
 using windows::tilted;
-using windows::Window;
-
-struct Truth {
-    Surface surface;
-    Window window;
-};
-
-std::vector<Truth> truths(double scale, bool reversed) {
-    const Frame frame = tilted(scale);
-    const auto window = [&](double u, double v, double ru, double rv, bool length_v, int sides) {
-        Window w;
-        w.centre = {u, length_v ? scale * v : v};
-        w.radius = {ru, length_v ? scale * rv : rv};
-        w.sides = sides;
-        w.reversed = reversed;
-        return w;
-    };
-    Window flat = window(0.2, 0.1, 0.6, 0.35, true, 4);
-    flat.centre.x() *= scale;
-    flat.radius.x() *= scale;
-    return {{Plane{frame}, flat},
-            {Sphere{frame, 3.0 * scale}, window(0.3, 0.4, 0.5, 0.4, false, 3)},
-            {Cylinder{frame, 2.0 * scale}, window(1.0, 0.1, 0.6, 0.35, true, 5)},
-            {Cone{frame, 1.5 * scale, 0.4}, window(2.0, 0.1, 0.7, 0.35, true, 4)},
-            {Torus{frame, 5.0 * scale, 1.25 * scale}, window(1.0, 0.2, 0.3, 0.9, false, 6)}};
-}
-
-/// Without what would give the surface away.
-Hole without_supports(Hole hole) {
-    for (RibbonLoop& loop : hole.loops) {
-        for (Ribbon& ribbon : loop.ribbons) {
-            ribbon.support.reset();
-        }
-    }
-    return hole;
-}
-
-std::vector<double> sizes(const Surface& surface) {
-    if (const auto* s = std::get_if<Sphere>(&surface)) {
-        return {s->radius};
-    }
-    if (const auto* s = std::get_if<Cylinder>(&surface)) {
-        return {s->radius};
-    }
-    if (const auto* s = std::get_if<Cone>(&surface)) {
-        return {std::abs(s->half_angle)};
-    }
-    if (const auto* s = std::get_if<Torus>(&surface)) {
-        return {s->major, s->minor};
-    }
-    return {};
-}
 
 /// The hole moved as a whole.
 Hole moved(Hole hole, const Vector3d& by) {
@@ -133,83 +84,6 @@ TEST(FillRecognise, PassesOverWhatTurnedOutToBeBad) {
     ASSERT_FALSE(fill);
     EXPECT_NE(fill.error().message.find("bad where it was tried"), std::string::npos);
     EXPECT_EQ(told, std::vector<std::string>{"torus"});
-}
-
-// One side's edge lies 4e-4 of the hole's diameter off its own neighbour, the others are exact.
-TEST(FillRecognise, HearsNothingFromARoughSide) {
-    for (const Truth& truth : truths(1.0, false)) {
-        if (std::holds_alternative<Sphere>(truth.surface)) {
-            continue;  // two sides of three: less than is asked for
-        }
-        Hole hole = without_supports(windows::window_in(truth.surface, truth.window));
-        Ribbon& rough = hole.loops[0].ribbons[1];
-        const double size = 4e-4 * hole.diameter;
-        rough.at = [at = rough.at, size](double s) {
-            RibbonPoint p = at(s);
-            p.point += size * std::sin(kPi * s) * p.normal;
-            return p;
-        };
-        FillOptions options;
-        options.noise = size;
-        EXPECT_FALSE(fill_recognise(hole, options)) << kind_name(truth.surface);
-        options.side_noise.assign(hole.loops[0].ribbons.size(), 0.0);
-        options.side_noise[1] = size;
-        const auto fill = fill_recognise(hole, options);
-        const bool plain = std::holds_alternative<Cylinder>(truth.surface) ||
-                           std::holds_alternative<Torus>(truth.surface);
-        if (!plain) {
-            EXPECT_FALSE(fill) << kind_name(truth.surface);  // no round number speaks for it
-            continue;
-        }
-        ASSERT_TRUE(fill) << kind_name(truth.surface) << ": " << fill.error().message;
-        const Surface& found = fill->patches.front().surface;
-        ASSERT_EQ(kind_name(found), kind_name(truth.surface));
-        const auto is = sizes(found);
-        const auto real = sizes(truth.surface);
-        for (std::size_t i = 0; i < real.size(); ++i) {
-            EXPECT_NEAR(is[i], real[i], 1e-8 * real[i]) << kind_name(truth.surface);
-        }
-        // 1.54 times as far as its own edge is no noise of it.
-        options.side_noise[1] = 0.65 * size;
-        options.noise = 0.65 * size;
-        EXPECT_FALSE(fill_recognise(hole, options)) << kind_name(truth.surface);
-    }
-}
-
-// Thirty dirty variants: edges off their neighbours by up to 1e-4 of the hole's diameter, which the
-// file states as their tolerance.
-TEST(FillRecognise, FindsTheSameKindThroughNoise) {
-    std::mt19937 random(7);
-    for (const double noise : {1e-5, 5e-5, 1e-4}) {
-        for (int variant = 0; variant < 2; ++variant) {
-            for (const Truth& truth : truths(1.0, variant == 1)) {
-                Hole hole = without_supports(windows::window_in(truth.surface, truth.window));
-                FillOptions options;
-                options.noise = noise * hole.diameter;
-                std::uniform_real_distribution<double> phase(0.0, 6.0);
-                for (Ribbon& ribbon : hole.loops[0].ribbons) {
-                    const double a = phase(random);
-                    const double size = noise * hole.diameter;
-                    ribbon.at = [at = ribbon.at, a, size](double s) {
-                        RibbonPoint p = at(s);
-                        p.point += size * std::sin(a + 9.0 * s) * p.normal;
-                        return p;
-                    };
-                }
-                const auto fill = fill_recognise(hole, options);
-                ASSERT_TRUE(fill) << kind_name(truth.surface) << ": " << fill.error().message;
-                const Patch& patch = fill->patches.front();
-                ASSERT_EQ(kind_name(patch.surface), kind_name(truth.surface)) << noise;
-                EXPECT_LT(windows::fit_of(hole, patch).gap, 3.0 * noise * hole.diameter);
-                const auto found = sizes(patch.surface);
-                const auto real = sizes(truth.surface);
-                for (std::size_t i = 0; i < real.size(); ++i) {
-                    EXPECT_NEAR(found[i], real[i], 100.0 * noise * real[i])
-                        << kind_name(truth.surface) << ", noise " << noise;
-                }
-            }
-        }
-    }
 }
 
 TEST(FillRecognise, GivesBackTheSphereOfASuitcaseCorner) {
