@@ -30,10 +30,9 @@ constexpr int kBetween = 2;
 /// The path as a function of its length.
 class Path {
   public:
-    Path(const RollingBall& ball, const std::vector<BallPosition>& path)
-        : ball_(ball), path_(path), lengths_{0.0} {
-        for (std::size_t i = 1; i < path.size(); ++i) {
-            lengths_.push_back(lengths_.back() + (path[i].centre - path[i - 1].centre).norm());
+    explicit Path(const PathPart& part) : ball_(part.ball), path_(part.positions), lengths_{0.0} {
+        for (std::size_t i = 1; i < path_.size(); ++i) {
+            lengths_.push_back(lengths_.back() + arc(path_[i - 1], path_[i]));
         }
     }
     [[nodiscard]] double length() const { return lengths_.back(); }
@@ -44,13 +43,29 @@ class Path {
         const auto k = static_cast<std::size_t>(i);
         const BallPosition& a = path_[k - 1];
         const BallPosition& b = path_[k];
-        const double f = (t - lengths_[k - 1]) / (lengths_[k] - lengths_[k - 1]);
+        // Hermite's cubic, so that the parameter stays smooth where steps of other lengths meet.
+        const double h = lengths_[k] - lengths_[k - 1];
+        const double f = (t - lengths_[k - 1]) / h;
+        const double g = 1.0 - f;
+        const Vector3d chord = b.centre - a.centre;
         BallPosition start = f < 0.5 ? a : b;
-        start.tangent = (b.centre - a.centre).normalized();
-        return ball_.at((1.0 - f) * a.centre + f * b.centre, start);
+        start.tangent = (6.0 * f * g * chord + h * g * (1.0 - 3.0 * f) * a.tangent -
+                         h * f * (2.0 - 3.0 * f) * b.tangent)
+                            .normalized();
+        const Vector3d centre = a.centre + f * f * (3.0 - 2.0 * f) * chord +
+                                h * f * g * (g * a.tangent - f * b.tangent);
+        return ball_.at(centre, start);
     }
 
   private:
+    /// Length of the circle through two positions.
+    static double arc(const BallPosition& a, const BallPosition& b) {
+        const double half =
+            0.5 * std::atan2(a.tangent.cross(b.tangent).norm(), a.tangent.dot(b.tangent));
+        const double chord = (b.centre - a.centre).norm();
+        return half < 1e-8 ? chord : chord * half / std::sin(half);
+    }
+
     const RollingBall& ball_;
     const std::vector<BallPosition>& path_;
     std::vector<double> lengths_;
@@ -168,30 +183,17 @@ double error_of(const SplineSurface& surface, const Path& path, double radius, i
     return error;
 }
 
-}  // namespace
-
-Result<ArcSurface> fit_arcs(const RollingBall& ball, const std::vector<BallPosition>& positions,
-                            double accuracy) {
-    if (positions.size() < 2) {
-        return fail(ErrorCode::Refused, "the rolling ball does not roll");
-    }
-    const Path path(ball, positions);
-    double widest = 0.0;
-    for (const BallPosition& p : positions) {
-        widest = std::max(widest, std::atan2(p.normal[0].cross(p.normal[1]).norm(),
-                                             p.normal[0].dot(p.normal[1])));
-    }
-    const Across across{
-        std::max(1, static_cast<int>(std::ceil((1.0 + 2.0 * kBeyond) * widest / kWidest))),
-        kBeyond * widest};
+/// With as many positions as the accuracy needs.
+Result<ArcSurface> fit_part(const PathPart& part, const Across& across, double accuracy) {
+    const Path path(part);
     ArcSurface best;
     best.error = INFINITY;
     for (const int count : kCounts) {
-        auto surface = interpolated(path, across, ball.radius(), count);
+        auto surface = interpolated(path, across, part.ball.radius(), count);
         if (!surface) {
             return fail(ErrorCode::Refused, "the rolling ball's path has gaps");
         }
-        const double error = error_of(*surface, path, ball.radius(), count);
+        const double error = error_of(*surface, path, part.ball.radius(), count);
         if (error < best.error) {
             best = {std::move(*surface), error};
         }
@@ -200,6 +202,65 @@ Result<ArcSurface> fit_arcs(const RollingBall& ball, const std::vector<BallPosit
         }
     }
     return best;
+}
+
+/// One surface after the other in u. Their circles at the joint are the same, so that they have
+/// their tangent planes in common as well.
+void append(SplineSurface& surface, const SplineSurface& next) {
+    const int rows = surface.count_v();
+    const int before = surface.count_u();
+    const int after = next.count_u();
+    SplineSurface joined = surface;
+    joined.poles.resize(3, (before + after - 1) * rows);
+    joined.weights.resize((before + after - 1) * rows);
+    joined.knots_u.pop_back();
+    for (std::size_t k = kDegree + 1; k < next.knots_u.size(); ++k) {
+        joined.knots_u.push_back(surface.knots_u.back() + next.knots_u[k]);
+    }
+    for (int j = 0; j < rows; ++j) {
+        for (int i = 0; i < before + after - 1; ++i) {
+            const SplineSurface& from = i < before ? surface : next;
+            const int k = from.index(i < before ? i : i - before + 1, j);
+            joined.poles.col(joined.index(i, j)) = from.poles.col(k);
+            joined.weights[joined.index(i, j)] = from.weights[k];
+        }
+    }
+    surface = std::move(joined);
+}
+
+}  // namespace
+
+Result<ArcSurface> fit_arcs(const std::vector<PathPart>& parts, double accuracy) {
+    double widest = 0.0;
+    for (const PathPart& part : parts) {
+        if (part.positions.size() < 2) {
+            return fail(ErrorCode::Refused, "the rolling ball does not roll");
+        }
+        for (const BallPosition& p : part.positions) {
+            widest = std::max(widest, std::atan2(p.normal[0].cross(p.normal[1]).norm(),
+                                                 p.normal[0].dot(p.normal[1])));
+        }
+    }
+    const Across across{
+        std::max(1, static_cast<int>(std::ceil((1.0 + 2.0 * kBeyond) * widest / kWidest))),
+        kBeyond * widest};
+    std::optional<ArcSurface> whole;
+    for (const PathPart& part : parts) {
+        auto fitted = fit_part(part, across, accuracy);
+        if (!fitted) {
+            return fitted;
+        }
+        if (!whole) {
+            whole = std::move(*fitted);
+            continue;
+        }
+        append(whole->surface, fitted->surface);
+        whole->error = std::max(whole->error, fitted->error);
+    }
+    // OCCT integrates over all of u at once, and piece by piece in v: areas are right with kinks in
+    // v.
+    whole->surface = transposed(whole->surface);
+    return *whole;
 }
 
 }  // namespace suture::recognise

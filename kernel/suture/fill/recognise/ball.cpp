@@ -25,8 +25,6 @@ constexpr double kPromising = 0.03;
 constexpr int kEvery = 3;
 constexpr std::size_t kFewest = 3;
 constexpr int kSections = 24;
-/// The path is walked in steps of this share of the hole's size.
-constexpr double kStep = 1.0 / 48.0;
 
 struct Hit {
     double miss = INFINITY;
@@ -139,7 +137,10 @@ std::vector<BallGuess> guess_balls(const Border& border) {
             if (!border.sides[a].ribbon->support || !border.sides[b].ribbon->support) {
                 continue;
             }
-            const BallGuess found = guess(border, a, b);
+            // From the shorter side: the ball may leave it for the next while it goes on along the
+            // other one.
+            const bool shorter = border.sides[a].length <= border.sides[b].length;
+            const BallGuess found = shorter ? guess(border, a, b) : guess(border, b, a);
             if (found.spread < kSpread && std::abs(found.radius) < 100.0 * border.size) {
                 guesses.push_back(found);
             }
@@ -182,20 +183,10 @@ std::vector<BallRadius> radii_for(const BallGuess& guess, const Border& border) 
     return radii;
 }
 
-namespace {
-
-/// The border's samples, which keep away from the corners, and these.
-Eigen::Matrix3Xd with_corners(const Border& border) {
-    Eigen::Matrix3Xd points = border.model_points();
-    const Eigen::Index count = points.cols();
-    points.conservativeResize(3, count + static_cast<Eigen::Index>(border.sides.size()));
-    for (std::size_t i = 0; i < border.sides.size(); ++i) {
-        points.col(count + static_cast<Eigen::Index>(i)) = border.sides[i].ribbon->at(0.0).point;
-    }
-    return points;
+double step_of(double radius, const Border& border) {
+    constexpr double kStep = 1.0 / 48.0;
+    return std::min(kStep * border.size, 0.25 * std::abs(radius));
 }
-
-}  // namespace
 
 Result<ArcSurface> ball_surface(const BallGuess& guess, double radius, const Border& border,
                                 double accuracy) {
@@ -207,12 +198,11 @@ Result<ArcSurface> ball_surface(const BallGuess& guess, double radius, const Bor
         return fail(ErrorCode::Refused, "no ball of radius {:.6g} touches {} and {}",
                     std::abs(radius), name_of(a), name_of(b));
     }
-    const double step = std::min(kStep * border.size, 0.25 * std::abs(radius));
-    const auto path = walk(ball, *start, step, with_corners(border));
+    const auto path = walk(ball, *start, step_of(radius, border), with_corners(border));
     if (!path) {
         return tl::unexpected(path.error());
     }
-    return fit_arcs(ball, *path, accuracy);
+    return fit_arcs({{ball, *path}}, accuracy);
 }
 
 }  // namespace suture::recognise

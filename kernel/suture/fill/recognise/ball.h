@@ -31,6 +31,9 @@ struct BallRadius {
 /// measured.
 [[nodiscard]] std::vector<BallRadius> radii_for(const BallGuess& guess, const Border& border);
 
+/// The steps in which a ball's path is walked.
+[[nodiscard]] double step_of(double radius, const Border& border);
+
 /// The surface that such a ball envelops, over all of the border.
 [[nodiscard]] Result<ArcSurface> ball_surface(const BallGuess& guess, double radius,
                                               const Border& border, double accuracy);

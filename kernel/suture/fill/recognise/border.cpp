@@ -90,6 +90,16 @@ Surface Border::to_model(const Surface& surface) const {
     return scaled(surface, size, origin);
 }
 
+Eigen::Matrix3Xd with_corners(const Border& border) {
+    Eigen::Matrix3Xd points = border.model_points();
+    const Eigen::Index count = points.cols();
+    points.conservativeResize(3, count + static_cast<Eigen::Index>(border.sides.size()));
+    for (std::size_t i = 0; i < border.sides.size(); ++i) {
+        points.col(count + static_cast<Eigen::Index>(i)) = border.sides[i].ribbon->at(0.0).point;
+    }
+    return points;
+}
+
 Border exact_part(const Border& border) {
     Border exact = border;
     exact.sides.clear();

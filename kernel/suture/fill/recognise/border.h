@@ -49,6 +49,9 @@ struct Border {
     [[nodiscard]] Surface to_model(const Surface& surface) const;
 };
 
+/// The samples, which keep away from the corners, and then the corners, in model units.
+[[nodiscard]] Eigen::Matrix3Xd with_corners(const Border& border);
+
 /// The same without its rough sides: what surfaces are fitted to.
 [[nodiscard]] Border exact_part(const Border& border);
 

@@ -57,13 +57,16 @@ Recognised describe(const Surface& form, const Agreement& agreement, const Borde
     return result;
 }
 
-Recognised describe_ball(double radius, const Agreement& agreement, const Border& border) {
+Recognised describe_ball(double radius, std::size_t sides, const Agreement& agreement,
+                         const Border& border) {
     Recognised result;
     result.kind = "rolling ball";
     result.parameters = {{"radius", radius}};
     result.gap = agreement.gap * border.size;
     result.angle = agreement.angle;
-    result.from = "a ball that touches two neighbours all along";
+    result.from = sides == 2
+                      ? "a ball that touches two neighbours all along"
+                      : fmt::format("a ball that touches {} neighbours, a pair at a time", sides);
     return result;
 }
 

@@ -13,7 +13,9 @@ namespace suture::recognise {
                                   const Border& border);
 
 /// What a rolling ball's envelope is.
-[[nodiscard]] Recognised describe_ball(double radius, const Agreement& agreement,
+///
+/// Input    sides: how many it touches.
+[[nodiscard]] Recognised describe_ball(double radius, std::size_t sides, const Agreement& agreement,
                                        const Border& border);
 
 /// "torus R = 12, r = 3, tangent to faces 4, 7, 9; axis parallel to face 4's".

@@ -94,9 +94,9 @@ TEST(RollingBall, EnvelopsTheTorusAtTheFootOfAPost) {
         double off = 0.0;
         for (int i = 0; i <= 20; ++i) {
             for (int j = 0; j <= 10; ++j) {
-                const double u = s.knots_u.back() * i / 20.0;
+                const double v = s.knots_v.back() * i / 20.0;
                 off = std::max(off,
-                               std::abs(distance_to(torus, evaluate(s, u, j / 10.0).point).value));
+                               std::abs(distance_to(torus, evaluate(s, j / 10.0, v).point).value));
             }
         }
         EXPECT_LT(off, 1e-8 * post.hole.diameter);
@@ -127,7 +127,7 @@ TEST(RollingBall, TouchesTwoCrossingCylinders) {
         (Eigen::Matrix3Xd(3, 2) << start->centre, start->centre + 0.8 * start->tangent).finished();
     const auto path = walk(ball, *start, 0.1, cover);
     ASSERT_TRUE(path) << path.error().message;
-    const auto arcs = fit_arcs(ball, *path, 1e-9);
+    const auto arcs = fit_arcs({{ball, *path}}, 1e-9);
     ASSERT_TRUE(arcs) << arcs.error().message;
     const SplineSurface& s = arcs->surface;
     const auto from_axis = [](const Frame& frame, const Vector3d& c) {
@@ -135,7 +135,7 @@ TEST(RollingBall, TouchesTwoCrossingCylinders) {
     };
     for (int i = 0; i <= 12; ++i) {
         for (int j = 0; j <= 6; ++j) {
-            const SurfaceJet jet = evaluate(s, s.knots_u.back() * i / 12.0, j / 6.0);
+            const SurfaceJet jet = evaluate(s, j / 6.0, s.knots_v.back() * i / 12.0);
             const Vector3d n = jet.u.cross(jet.v).normalized();
             // One of the two sides of the surface is the ball's.
             const double miss =
