@@ -188,21 +188,4 @@ double step_of(double radius, const Border& border) {
     return std::min(kStep * border.size, 0.25 * std::abs(radius));
 }
 
-Result<ArcSurface> ball_surface(const BallGuess& guess, double radius, const Border& border,
-                                double accuracy) {
-    const Ribbon& a = *border.sides[guess.sides[0]].ribbon;
-    const Ribbon& b = *border.sides[guess.sides[1]].ribbon;
-    const RollingBall ball(*a.support, *b.support, radius);
-    const auto start = ball.near(a.support->uv(guess.at[0]), b.support->uv(guess.at[1]));
-    if (!start) {
-        return fail(ErrorCode::Refused, "no ball of radius {:.6g} touches {} and {}",
-                    std::abs(radius), name_of(a), name_of(b));
-    }
-    const auto path = walk(ball, *start, step_of(radius, border), with_corners(border));
-    if (!path) {
-        return tl::unexpected(path.error());
-    }
-    return fit_arcs({{ball, *path}}, accuracy);
-}
-
 }  // namespace suture::recognise

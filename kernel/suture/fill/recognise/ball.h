@@ -1,6 +1,5 @@
 #pragma once
 
-#include "suture/fill/recognise/arcs.h"
 #include "suture/fill/recognise/border.h"
 
 #include <vector>
@@ -33,9 +32,5 @@ struct BallRadius {
 
 /// The steps in which a ball's path is walked.
 [[nodiscard]] double step_of(double radius, const Border& border);
-
-/// The surface that such a ball envelops, over all of the border.
-[[nodiscard]] Result<ArcSurface> ball_surface(const BallGuess& guess, double radius,
-                                              const Border& border, double accuracy);
 
 }  // namespace suture::recognise

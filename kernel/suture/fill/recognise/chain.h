@@ -1,5 +1,6 @@
 #pragma once
 
+#include "suture/fill/recognise/arcs.h"
 #include "suture/fill/recognise/ball.h"
 
 #include <vector>
@@ -15,9 +16,11 @@ namespace suture::recognise {
 [[nodiscard]] std::vector<BallGuess> find_chain(const std::vector<BallGuess>& guesses,
                                                 const Border& border);
 
-/// The surface that such a ball envelops, over all of the border.
+/// The surface that a ball envelops along one link or more, over all of the border.
 ///
-/// Refuses  besides what one ball is refused for: two pairs between which it leaps.
+/// Refuses  sides that no such ball touches; a path that ends before the border does, or between
+/// two
+///          links; links between which the ball would leap.
 [[nodiscard]] Result<ArcSurface> chain_surface(std::vector<BallGuess> chain, double radius,
                                                const Border& border, double accuracy);
 

@@ -1,4 +1,3 @@
-#include "suture/fill/recognise/ball.h"
 #include "suture/fill/recognise/chain.h"
 #include "suture/fill/recognise/describe.h"
 #include "suture/fill/recognise/propose.h"
@@ -83,7 +82,7 @@ std::vector<Proposal> propose_balls(const Border& border, Refusals& refusals) {
     const std::vector<BallGuess> guesses = guess_balls(border);
     for (std::size_t k = 0; k < std::min(kBalls, guesses.size()); ++k) {
         balls.add(guesses[k], 2, [&](double radius) {
-            return ball_surface(guesses[k], radius, border, accuracy);
+            return chain_surface({guesses[k]}, radius, border, accuracy);
         });
         if (!balls.found().empty() && balls.found().back().agreement.gap <= alike(border)) {
             break;

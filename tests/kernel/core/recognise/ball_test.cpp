@@ -2,6 +2,7 @@
 
 #include "support/windows.h"
 #include "suture/fill/recognise.h"
+#include "suture/fill/recognise/chain.h"
 #include "suture/fill/recognise/form.h"
 #include "suture/fill/recognise/surface_foot.h"
 
@@ -86,7 +87,8 @@ TEST(RollingBall, EnvelopsTheTorusAtTheFootOfAPost) {
         ASSERT_FALSE(guesses.empty());
         // Concave: the ball lies outside of the material.
         EXPECT_NEAR(guesses.front().radius, -post.r, 1e-9 * post.r);
-        const auto arcs = ball_surface(guesses.front(), -post.r, border, 1e-9 * post.hole.diameter);
+        const auto arcs =
+            chain_surface({guesses.front()}, -post.r, border, 1e-9 * post.hole.diameter);
         ASSERT_TRUE(arcs) << arcs.error().message;
         EXPECT_LT(arcs->error, 1e-9 * post.hole.diameter);
         const Surface torus = post.truth(scale);
