@@ -220,7 +220,7 @@ int remove_needles(Mesh& mesh, double height) {
 int remove_back_to_back(Mesh& mesh) {
     // By its corners from the smallest on; turned round, the last two change places.
     const auto from_smallest = [](Corners corners) {
-        std::ranges::rotate(corners, std::ranges::min_element(corners));
+        std::rotate(corners.begin(), std::ranges::min_element(corners), corners.end());
         return corners;
     };
     std::map<Corners, std::vector<std::uint32_t>> places;

@@ -9,20 +9,20 @@ set -eu
 cd "$(dirname "$0")/../.."
 seconds=${1:-3600}
 [ $# -eq 0 ] || shift
-cmake --preset fuzz --log-level=NOTICE
-cmake --build build/fuzz --target suture_fuzz
-program=build/fuzz/tests/fuzz/suture_fuzz
+cmake --preset asan --log-level=NOTICE
+cmake --build build/asan --target suture_fuzz
+program=build/asan/tests/fuzz/suture_fuzz
 export LSAN_OPTIONS="suppressions=$PWD/tests/support/leaks.supp:print_suppressions=0"
 export ASAN_OPTIONS="handle_segv=1:detect_leaks=0"
 status=0
 for target in ${*:-$($program)}; do
-    seeds=build/fuzz/inputs/$target
+    seeds=build/asan/inputs/$target
     found=tests/fuzz/corpus/targets/$target
-    mkdir -p "$seeds" build/fuzz/found
+    mkdir -p "$seeds" build/asan/found
     echo "== $target, $seconds s"
     SUTURE_FUZZ_TARGET=$target SUTURE_FUZZ_SEEDS=$seeds "$program" -max_total_time="$seconds" -timeout=20 \
-        -rss_limit_mb=4096 -artifact_prefix="build/fuzz/found/$target-" "$seeds" 2>&1 | tail -n 3 || true
-    for file in build/fuzz/found/"$target"-*; do
+        -rss_limit_mb=4096 -artifact_prefix="build/asan/found/$target-" "$seeds" 2>&1 | tail -n 3 || true
+    for file in build/asan/found/"$target"-*; do
         [ -f "$file" ] || continue
         mkdir -p "$found"
         mv "$file" "$found/"

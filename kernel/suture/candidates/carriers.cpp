@@ -113,7 +113,7 @@ std::optional<Candidate> offset_of(const Surface& surface, const TopoDS_Face& fa
         return std::nullopt;
     }
     Candidate candidate{std::move(*copy), {}, {}};
-    candidate.original = std::make_shared<const ModelSurface>(offset);
+    candidate.original = std::make_shared<const ModelSurface>(ModelSurface{offset});
     return candidate;
 }
 

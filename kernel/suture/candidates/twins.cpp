@@ -211,7 +211,7 @@ std::vector<Candidate> find_twins(const std::vector<TopoDS_Face>& faces,
                          numbering.of(twin.face)),
              std::min(1.5 * noise, kCongruent * hole.diameter) + 2.0 * twin.motion.miss, 1.0,
              TwinSource{numbering.of(twin.face), isometry(twin.motion)},
-             std::make_shared<const ModelSurface>(moved)});
+             std::make_shared<const ModelSurface>(ModelSurface{moved})});
     }
     return candidates;
 }

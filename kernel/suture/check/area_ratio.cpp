@@ -195,7 +195,7 @@ double band(const Polyline& a, Polyline b) {
             std::ranges::reverse(b);
         }
         for (std::size_t k = 0; k < b.size(); ++k) {
-            std::ranges::rotate(b, b.begin() + 1);
+            std::rotate(b.begin(), b.begin() + 1, b.end());
             least = std::min(least, strip(a, b));
         }
     }

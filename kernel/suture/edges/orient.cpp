@@ -16,10 +16,10 @@ bool has_face(const BoundaryLoop& loop) {
 }  // namespace
 
 void begin_at_smallest(BoundaryLoop& loop) {
-    std::ranges::rotate(loop.edges,
-                        std::ranges::min_element(loop.edges, {}, [](const BoundaryEdge& side) {
-                            return std::pair(side.edge_number == 0, side.edge_number);
-                        }));
+    const auto smallest = std::ranges::min_element(loop.edges, {}, [](const BoundaryEdge& side) {
+        return std::pair(side.edge_number == 0, side.edge_number);
+    });
+    std::rotate(loop.edges.begin(), smallest, loop.edges.end());
 }
 
 void orient_free_loops(std::vector<BoundaryLoop>& loops) {

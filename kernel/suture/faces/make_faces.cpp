@@ -125,7 +125,8 @@ class PlacedFaces::Maker {
         // Isolated: a thread that waits here must not begin another hole.
         tbb::this_task_arena::isolate([&] {
             tbb::parallel_for(std::size_t{0}, all.size(), [&](std::size_t i) {
-                const auto& [sheet, laid] = all[i];
+                const Sheet* sheet = all[i].first;
+                Laid* laid = all[i].second;
                 placed[i] = occ::guarded("a curve on a new face", [&] {
                     laid->placement = place_on_surface(laid->edge, sheet->surface, laid->at,
                                                        sheet->ends, accuracy_);
