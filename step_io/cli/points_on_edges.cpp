@@ -66,9 +66,9 @@ Result<std::vector<ThroughPoint>> points_on_edges(const TopoDS_Shape& model,
             return points;
         }
         if (face > 0) {
-            const auto apart = occ::guarded("taking a face's normals", [&] {
-                return take_normals(TopoDS::Face(numbering.faces(face)), *points);
-            });
+            const TopoDS_Face& neighbour = TopoDS::Face(numbering.faces(face));
+            const auto apart = occ::guarded("taking a face's normals",
+                                            [&] { return take_normals(neighbour, *points); });
             if (!apart) {
                 return tl::unexpected(apart.error());
             }
