@@ -8,6 +8,7 @@
 #include "cli/picture_broker.h"
 #include "cli/report_html.h"
 #include "cli/report_json.h"
+#include "cli/sanitized.h"
 #include "cli/sew.h"
 #include "cli/standard_input.h"
 #include "cli/text_file.h"
@@ -426,10 +427,14 @@ std::optional<std::string> long_version(std::vector<std::string> words) {
     std::ranges::sort(words);
     const bool wanted = words == std::vector<std::string>{"--version", "-v"} ||
                         words == std::vector<std::string>{"--verbose", "--version"};
-    return wanted ? std::optional(fmt::format("suture {}\nsandbox: {}\nmemory limit: {:.3g} GB\n",
-                                              SUTURE_VERSION, sandbox_support(),
-                                              gigabytes(default_memory_limit())))
-                  : std::nullopt;
+    if (!wanted) {
+        return std::nullopt;
+    }
+    const std::string memory = kMemoryHasALimit
+                                   ? fmt::format("{:.3g} GB", gigabytes(default_memory_limit()))
+                                   : "none, with a sanitizer";
+    return fmt::format("suture {}\nsandbox: {}\nmemory limit: {}\n", SUTURE_VERSION,
+                       sandbox_support(), memory);
 }
 
 int run_program(std::vector<std::string> words) {

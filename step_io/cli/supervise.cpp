@@ -1,6 +1,7 @@
 #include "cli/supervise.h"
 
 #include "cli/exit_code.h"
+#include "cli/sanitized.h"
 #include "suture/platform/process.h"
 #include "suture/platform/signal_file.h"
 
@@ -21,16 +22,6 @@
 #include <optional>
 #include <system_error>
 #include <thread>
-
-// clang's way to say what __SANITIZE_ADDRESS__ says.
-#if defined(__has_feature)
-#if __has_feature(address_sanitizer)
-#define SUTURE_CLANG_SANITIZES 1
-#endif
-#endif
-#ifndef SUTURE_CLANG_SANITIZES
-#define SUTURE_CLANG_SANITIZES 0
-#endif
 
 namespace suture::cli {
 namespace {
@@ -87,11 +78,9 @@ void obey(const JobLimits& limits) {
     const auto seconds = std::chrono::ceil<std::chrono::seconds>(limits.whole).count();
     limit(RLIMIT_CPU, static_cast<std::uint64_t>(seconds + 1) *
                           std::max(1U, std::thread::hardware_concurrency()));
-#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__) && !SUTURE_CLANG_SANITIZES
-    if (limits.memory > 0) {  // the sanitizers' shadow takes terabytes of addresses
+    if (limits.memory > 0 && kMemoryHasALimit) {
         limit(RLIMIT_AS, limits.memory);
     }
-#endif
 }
 
 /// What every other allocation comes to when there is no memory left.
