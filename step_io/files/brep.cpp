@@ -1,5 +1,7 @@
 #include "files/brep.h"
 
+#include "suture/occ/guard.h"
+
 #include <BRepTools.hxx>
 #include <BRep_Builder.hxx>
 #include <BinTools.hxx>
@@ -44,6 +46,18 @@ bool has_text_ending(const std::string& bytes) {
     last >> orientation >> shape >> location;
     return std::string_view("+-ie").find(orientation) != std::string_view::npos && shape > 0 &&
            location >= 0 && (last >> std::ws).eof();
+}
+
+/// What OCCT makes of a file: where it makes nothing, or raises something, the file is damaged.
+template <class Read>
+Result<TopoDS_Shape> made_by_occt(const std::filesystem::path& file, Read&& read) {
+    auto shape = occ::guarded("reading", std::forward<Read>(read));
+    const bool told = !shape && shape.error().code == ErrorCode::Unreadable;
+    if (!told && (!shape || shape->IsNull())) {
+        return fail(ErrorCode::Unreadable, "{} is damaged: OCCT makes no shape of it",
+                    file.string());
+    }
+    return shape;
 }
 
 /// Near which line of a text its reader found something else than it needed.
@@ -95,20 +109,18 @@ Result<TopoDS_Shape> read_brep_text(const std::string& bytes, const std::filesys
                     file.string());
     }
     std::istringstream stream(bytes);
-    TopoDS_Shape shape;
-    try {
-        // OCCT's reader asks a stream that has failed for more, in some places for ever.
-        stream.exceptions(std::ios::failbit | std::ios::badbit);
-        BRepTools::Read(shape, stream, BRep_Builder());
-    } catch (const std::ios::failure&) {
-        return fail(ErrorCode::Unreadable, "{} is damaged: {}", file.string(),
-                    where_it_failed(bytes, stream));
-    }
-    if (shape.IsNull()) {
-        return fail(ErrorCode::Unreadable, "{} is damaged: OCCT makes no shape of it",
-                    file.string());
-    }
-    return shape;
+    // OCCT's reader asks a stream that has failed for more, in some places for ever.
+    stream.exceptions(std::ios::failbit | std::ios::badbit);
+    return made_by_occt(file, [&]() -> Result<TopoDS_Shape> {
+        TopoDS_Shape shape;
+        try {
+            BRepTools::Read(shape, stream, BRep_Builder());
+        } catch (const std::ios::failure&) {
+            return fail(ErrorCode::Unreadable, "{} is damaged: {}", file.string(),
+                        where_it_failed(bytes, stream));
+        }
+        return shape;
+    });
 }
 
 Result<TopoDS_Shape> read_brep_binary(const std::string& bytes, const std::filesystem::path& file) {
@@ -118,23 +130,21 @@ Result<TopoDS_Shape> read_brep_binary(const std::string& bytes, const std::files
                     file.string());
     }
     std::istringstream stream(bytes, std::ios::binary);
-    BinTools_ShapeSet shapes;
-    shapes.Read(stream);
-    const std::streamoff left = static_cast<std::streamoff>(bytes.size()) - stream.tellg();
-    TopoDS_Shape shape;
-    if (stream && left == kFreecadEnding) {
-        shape = read_freecad_ending(shapes, stream);
-    } else if (stream && left == kOcctEnding) {
-        shapes.ReadSubs(shape, stream, shapes.NbShapes());
-    } else {
-        return fail(ErrorCode::Unreadable, "{} is damaged: after its shapes it ends {}",
-                    file.string(), stream ? fmt::format("in {} bytes", left) : "too early");
-    }
-    if (shape.IsNull()) {
-        return fail(ErrorCode::Unreadable, "{} is damaged: OCCT makes no shape of it",
-                    file.string());
-    }
-    return shape;
+    return made_by_occt(file, [&]() -> Result<TopoDS_Shape> {
+        BinTools_ShapeSet shapes;
+        shapes.Read(stream);
+        const std::streamoff left = static_cast<std::streamoff>(bytes.size()) - stream.tellg();
+        TopoDS_Shape shape;
+        if (stream && left == kFreecadEnding) {
+            shape = read_freecad_ending(shapes, stream);
+        } else if (stream && left == kOcctEnding) {
+            shapes.ReadSubs(shape, stream, shapes.NbShapes());
+        } else {
+            return fail(ErrorCode::Unreadable, "{} is damaged: after its shapes it ends {}",
+                        file.string(), stream ? fmt::format("in {} bytes", left) : "too early");
+        }
+        return shape;
+    });
 }
 
 Result<void> write_brep_text(const TopoDS_Shape& shape, std::ostream& stream) {
