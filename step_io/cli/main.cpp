@@ -8,7 +8,6 @@
 #include "cli/picture_broker.h"
 #include "cli/report_html.h"
 #include "cli/report_json.h"
-#include "cli/sanitized.h"
 #include "cli/sew.h"
 #include "cli/standard_input.h"
 #include "cli/text_file.h"
@@ -21,6 +20,7 @@
 #include "suture/occ/guard.h"
 #include "suture/platform/on_demand.h"
 #include "suture/platform/sandbox.h"
+#include "suture/platform/sanitized.h"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -430,9 +430,9 @@ std::optional<std::string> long_version(std::vector<std::string> words) {
     if (!wanted) {
         return std::nullopt;
     }
-    const std::string memory = kMemoryHasALimit
-                                   ? fmt::format("{:.3g} GB", gigabytes(default_memory_limit()))
-                                   : "none, with a sanitizer";
+    const std::string memory = kSanitized
+                                   ? "none, with a sanitizer"
+                                   : fmt::format("{:.3g} GB", gigabytes(default_memory_limit()));
     return fmt::format("suture {}\nsandbox: {}\nmemory limit: {}\n", SUTURE_VERSION,
                        sandbox_support(), memory);
 }

@@ -1,8 +1,8 @@
 #include "cli/supervise.h"
 
 #include "cli/exit_code.h"
-#include "cli/sanitized.h"
 #include "suture/platform/process.h"
+#include "suture/platform/sanitized.h"
 #include "suture/platform/signal_file.h"
 
 #include <fcntl.h>
@@ -78,7 +78,7 @@ void obey(const JobLimits& limits) {
     const auto seconds = std::chrono::ceil<std::chrono::seconds>(limits.whole).count();
     limit(RLIMIT_CPU, static_cast<std::uint64_t>(seconds + 1) *
                           std::max(1U, std::thread::hardware_concurrency()));
-    if (limits.memory > 0 && kMemoryHasALimit) {
+    if (limits.memory > 0 && !kSanitized) {
         limit(RLIMIT_AS, limits.memory);
     }
 }

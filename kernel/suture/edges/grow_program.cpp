@@ -16,7 +16,6 @@
 #include <TopoDS.hxx>
 
 #include <algorithm>
-#include <cstdlib>
 #include <map>
 #include <set>
 #include <vector>
@@ -185,10 +184,9 @@ Result<std::string> merge(const GrowMessage& request) {
 }  // namespace suture
 
 int main() {
-    // Nothing is left to be done that the end of the process does not do.
-    std::_Exit(suture::occ::serve("changing faces", [](const std::string& bytes) {
+    return suture::occ::serve("changing faces", [](const std::string& bytes) {
         const suture::GrowMessage request = suture::unpacked_grow_message(bytes);
         return request.task == suture::GrowTask::Merge ? suture::merge(request)
                                                        : suture::grow(request);
-    }));
+    });
 }

@@ -8,8 +8,6 @@
 #include <TopExp_Explorer.hxx>
 #include <TopTools_ListOfShape.hxx>
 
-#include <cstdlib>
-
 namespace suture {
 namespace {
 
@@ -55,8 +53,7 @@ Result<std::string> make_plate(const PlateRequest& request) {
 }  // namespace suture
 
 int main() {
-    // Nothing is left to be done that the end of the process does not do.
-    std::_Exit(suture::occ::serve("OCCT's filling", [](const std::string& request) {
+    return suture::occ::serve("OCCT's filling", [](const std::string& request) {
         return suture::make_plate(suture::unpacked_request(request));
-    }));
+    });
 }

@@ -1,5 +1,7 @@
 #include "suture/platform/sandbox.h"
 
+#include "suture/platform/sanitized.h"
+
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <link.h>
@@ -112,6 +114,9 @@ void restrict_files(const SandboxPaths& paths, int version) {
           "/var/cache/fontconfig", "/proc/self", "/proc/cpuinfo", "/proc/meminfo",
           "/sys/devices/system", "/sys/fs/cgroup", "/dev/urandom"}) {
         rules.allow(system, kRead);
+    }
+    if (kSanitized) {
+        rules.allow("/proc", kRead);  // the entries of Suture's other programs
     }
     rules.allow("/dev/null", kReadFile | kWriteFile);
     for (const char* loader : {"/lib64/ld-linux-x86-64.so.2", "/lib/ld-linux-aarch64.so.1"}) {

@@ -50,7 +50,8 @@ class Opened(Case):
 
     def test_the_version_tells_what_there_is(self):
         done = subprocess.run([PROGRAM, "--version", "-v"], capture_output=True, check=True)
-        self.assertRegex(done.stdout.decode(), r"^suture [\d.]+\nsandbox: [^\n]+\nmemory limit: [\d.]+ GB\n$")
+        self.assertRegex(done.stdout.decode(), r"^suture [\d.]+\nsandbox: [^\n]+\n"
+                                               r"memory limit: ([\d.]+ GB|none, with a sanitizer)\n$")
 
 
 if __name__ == "__main__":
