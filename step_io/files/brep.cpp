@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <new>
 #include <sstream>
 
 namespace suture::io {
@@ -50,9 +51,18 @@ bool has_text_ending(const std::string& bytes) {
 
 /// What OCCT makes of a file: where it makes nothing, or raises something, the file is damaged.
 template <class Read>
-Result<TopoDS_Shape> made_by_occt(const std::filesystem::path& file, Read&& read) {
-    auto shape = occ::guarded("reading", std::forward<Read>(read));
-    const bool told = !shape && shape.error().code == ErrorCode::Unreadable;
+Result<TopoDS_Shape> made_by_occt(const std::filesystem::path& file, const Read& read) {
+    bool told = false;  // the reason is known
+    auto shape = occ::guarded("reading", [&]() -> Result<TopoDS_Shape> {
+        try {
+            auto result = read();
+            told = !result;
+            return result;
+        } catch (const std::bad_alloc&) {
+            told = true;
+            throw;
+        }
+    });
     if (!told && (!shape || shape->IsNull())) {
         return fail(ErrorCode::Unreadable, "{} is damaged: OCCT makes no shape of it",
                     file.string());
