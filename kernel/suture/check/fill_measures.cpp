@@ -128,11 +128,10 @@ FillMeasures measures_of(const FillPlace& place, const std::set<int>& own,
     return measures;
 }
 
-/// A face lies on another one that is nearer than so many times the tolerance, but for holes so
-/// small that this is a good part of them, or than the smaller part of the hole's diameter: what
-/// two fits of one surface differ by.
+/// A face lies on another one that is nearer than two fits of one surface are: so many times the
+/// tolerance, but at least and at most these parts of the hole's diameter.
 constexpr double kOnSurface = 10.0;
-constexpr double kOnSurfaceShare = 1e-4;
+constexpr double kOnSurfaceLeast = 1e-4;
 constexpr double kOnSurfaceMost = 1e-2;
 
 /// The new faces that were found.
@@ -248,7 +247,7 @@ Result<std::vector<FillMeasures>> measure_fills(const TopoDS_Shape& shape,
 Result<void> measure_clashes(const TopoDS_Shape& shape, const FillPlace& place, double diameter,
                              const Tolerance& tolerance, const Progress& progress,
                              FillMeasures& measures) {
-    const double on_surface = std::clamp(kOnSurface * tolerance.linear, kOnSurfaceShare * diameter,
+    const double on_surface = std::clamp(kOnSurface * tolerance.linear, kOnSurfaceLeast * diameter,
                                          kOnSurfaceMost * diameter);
     auto report = find_clashes(shape, found_faces(place), tolerance.linear, on_surface, progress);
     if (!report) {

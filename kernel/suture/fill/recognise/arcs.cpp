@@ -257,8 +257,7 @@ Result<ArcSurface> fit_arcs(const std::vector<PathPart>& parts, double accuracy)
         append(whole->surface, fitted->surface);
         whole->error = std::max(whole->error, fitted->error);
     }
-    // OCCT integrates over all of u at once, and piece by piece in v: areas are right with kinks in
-    // v.
+    // Areas: OCCT integrates over all of u at once, but piece by piece in v, where the kinks are.
     whole->surface = transposed(whole->surface);
     return *whole;
 }

@@ -183,9 +183,4 @@ std::vector<BallRadius> radii_for(const BallGuess& guess, const Border& border) 
     return radii;
 }
 
-double step_of(double radius, const Border& border) {
-    constexpr double kStep = 1.0 / 48.0;
-    return std::min(kStep * border.size, 0.25 * std::abs(radius));
-}
-
 }  // namespace suture::recognise

@@ -30,7 +30,4 @@ struct BallRadius {
 /// measured.
 [[nodiscard]] std::vector<BallRadius> radii_for(const BallGuess& guess, const Border& border);
 
-/// The steps in which a ball's path is walked.
-[[nodiscard]] double step_of(double radius, const Border& border);
-
 }  // namespace suture::recognise

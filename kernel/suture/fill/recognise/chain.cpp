@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <utility>
 
@@ -18,6 +17,9 @@ using Eigen::Vector3d;
 /// share.
 constexpr double kSpreads = 3.0;
 constexpr double kLeastSpread = 1e-6;
+/// The path is walked in steps of this share of the hole's size, or of the radius.
+constexpr double kStep = 1.0 / 48.0;
+constexpr double kStepOfRadius = 0.25;
 /// Where the pairs change, the path may turn by this.
 constexpr double kTurn = radians(1.0);
 /// A position in whose own plane across the path a point lies is sought in so many steps, until the
@@ -257,7 +259,7 @@ Result<ArcSurface> chain_surface(std::vector<BallGuess> chain, double radius, co
     if (!links) {
         return tl::unexpected(links.error());
     }
-    const double step = step_of(radius, border);
+    const double step = std::min(kStep * border.size, kStepOfRadius * std::abs(radius));
     for (std::size_t k = 0; k + 1 < links->size(); ++k) {
         if (auto joined = join((*links)[k], (*links)[k + 1], border, step); !joined) {
             return tl::unexpected(joined.error());

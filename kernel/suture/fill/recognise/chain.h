@@ -18,9 +18,8 @@ namespace suture::recognise {
 
 /// The surface that a ball envelops along one link or more, over all of the border.
 ///
-/// Refuses  sides that no such ball touches; a path that ends before the border does, or between
-/// two
-///          links; links between which the ball would leap.
+/// Refuses  sides that no such ball touches; a path that ends before the border or a joint;
+///          links between which the ball would leap.
 [[nodiscard]] Result<ArcSurface> chain_surface(std::vector<BallGuess> chain, double radius,
                                                const Border& border, double accuracy);
 

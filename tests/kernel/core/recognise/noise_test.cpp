@@ -6,6 +6,7 @@
 #include "kernel/core/recognise/closed_forms.h"
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <random>
 
 namespace suture {
@@ -153,7 +154,7 @@ TEST(FillRecognise, FindsTheSameKindAndSizesThroughNoise) {
                     amplification(truth.surface, windows::window_in(truth.surface, truth.window));
                 for (std::size_t i = 0; i < real.size(); ++i) {
                     const double error = std::abs(found[i] - real[i]);
-                    EXPECT_LE(error, noise * hole.diameter * most[i])
+                    EXPECT_LE(error, noise * std::min(hole.diameter * most[i], 100.0 * real[i]))
                         << kind_name(truth.surface) << ", noise " << noise;
                     ++all;
                     plain += error < 1e-9 ? 1 : 0;
