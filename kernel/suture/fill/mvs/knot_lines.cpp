@@ -28,8 +28,10 @@ constexpr std::array<double, 7> kShears = {0.0, 15.0, -15.0, 30.0, -30.0, 45.0, 
 constexpr double kUnmet = 1e4;
 constexpr double kLineCost = 0.1;
 constexpr double kSliver = 0.04;
-// Of the shorter side at a corner, over which the jump dies out.
-constexpr double kReach = 0.8;
+// Over so many of the shorter side at a corner the jump dies out, but not over more than this, in
+// the solver's unit.
+constexpr double kReach = 3.0;
+constexpr double kMostReach = 0.5;
 // Points a side for the moved layout's box.
 constexpr int kBoxPoints = 48;
 
@@ -160,7 +162,8 @@ LinedLayout with_knot_lines(const RibbonLoop& loop, const Layout& layout, const 
                 const Eigen::Vector2d uv = result.layout.curves[i].at(0.0) / scale.length;
                 const auto corner = std::ranges::find(corners, i, &TwistedCorner::index);
                 line.at += uv[a] / static_cast<double>(group.size());
-                line.origins.push_back({uv[1 - a], kReach * corner->shorter_side});
+                line.origins.push_back(
+                    {uv[1 - a], std::min(kReach * corner->shorter_side, kMostReach)});
             }
             result.lines.push_back(std::move(line));
         }

@@ -1,5 +1,6 @@
 #include "suture/fill/mvs/levels.h"
 
+#include "suture/fill/mvs/jumps.h"
 #include "suture/fill/mvs/outside.h"
 
 #include <algorithm>
@@ -64,6 +65,7 @@ void Levels::solve(const System& system, const SolverOptions& steps) {
     const Convergence found = minimise(system, net_, steps, options_.progress);
     steps_ += found.steps;
     work_ += found.work;
+    variation_ = system.variation(net_);
 }
 
 Weights Levels::with_lines(Weights weights) const {
@@ -106,15 +108,41 @@ System Levels::system(const Weights& weights) const {
                   sample_boundary(hole_, domain_, scale_, density, /*ends=*/true), lines_, weights);
 }
 
-bool Levels::good_enough() const {
+bool Levels::good_enough(double missed_by) const {
     const bool large = net_.poles.cols() > schedule_.cheap_poles;
-    return missed_by_ <= (large ? schedule_.good_enough / schedule_.angle_part : 1.0);
+    return missed_by <= (large ? schedule_.good_enough / schedule_.angle_part : 1.0);
 }
 
-int Levels::patience(double missed_by) const {
-    return missed_by <= schedule_.within / schedule_.angle_part ? 1
-           : poor_                                              ? schedule_.poor_patience
-                                                                : schedule_.patience;
+// Among nets that meet the boundary the one across whose lines the curvature jumps least, unless
+// that is bought with a rougher surface.
+bool Levels::better_than(const Best& best) const {
+    if (good_enough(missed_by_) && good_enough(best.missed_by) && jump_ != best.jump) {
+        return jump_ < best.jump && variation_ < schedule_.rougher * best.variation;
+    }
+    return missed_by_ < best.missed_by;
+}
+
+bool Levels::brings(const Best& best) const {
+    return good_enough(best.missed_by)
+               ? better_than(best) && jump_ <= schedule_.progress * best.jump
+               : missed_by_ <= schedule_.progress * best.missed_by;
+}
+
+Levels::Best Levels::now() const {
+    return {net_, domain_, missed_by_, jump_, variation_};
+}
+
+void Levels::go_back_to(const Best& best) {
+    net_ = best.net;
+    domain_ = best.domain;
+    variation_ = best.variation;
+    sample_densely();
+}
+
+int Levels::patience(const Best& best) const {
+    const bool jumps = best.jump > schedule_.visible_jump;
+    const bool within = best.missed_by <= schedule_.within / schedule_.angle_part;
+    return within && !jumps ? 1 : poor_ ? schedule_.poor_patience : schedule_.patience;
 }
 
 bool Levels::affordable() const {
@@ -143,6 +171,14 @@ Result<void> Levels::expect_finite() const {
     return {};
 }
 
+double Levels::largest_bend() const {
+    double largest = 0.0;
+    for (const BoundarySample& sample : measured_) {
+        largest = std::max(largest, sample.curvature.norm());
+    }
+    return largest;
+}
+
 Result<void> Levels::measure() {
     if (auto finite = expect_finite(); !finite) {
         return finite;
@@ -155,6 +191,10 @@ Result<void> Levels::measure() {
         poor_ = poor_ || misses_.back().angle > schedule_.poor_angle;
         missed_by_ = std::max(missed_by_, goal_.missed_by(misses_.back(), sample));
     }
+    jump_ = lines_.empty()
+                ? 0.0
+                : largest_jump(net_, lines_, polygons_of(measured_), schedule_.seen_from) /
+                      largest_bend();
     return {};
 }
 
@@ -185,11 +225,11 @@ std::pair<Axis, Axis> Levels::finer(double limit) const {
 
 // Halves spans where that is needed most. False where none is left to halve, or even the worst take
 // too many poles.
-bool Levels::refine() {
+bool Levels::refine(double least) {
     const int most = lines_.empty() ? schedule_.most_poles : schedule_.most_poles_with_lines;
     for (double part = poor_ ? schedule_.roughly_marked : schedule_.marked; part < 1.0;
          part *= 2.0) {
-        const auto [u, v] = finer(std::max(1.0, part * missed_by_));
+        const auto [u, v] = finer(std::max(least, part * missed_by_));
         if (u.count() + v.count() == net_.u.count() + net_.v.count()) {
             return false;
         }
@@ -221,23 +261,28 @@ Result<Fairing> Levels::run() {
         return tl::unexpected(measured.error());
     }
     Weights weights = schedule_.fine;
+    double least_energy = schedule_.least_energy;
     if (!all_lines_.empty()) {
         draw_lines();
         if (auto measured = measure(); !measured) {
             return tl::unexpected(measured.error());
         }
+        weights = schedule_.fine_with_lines;
         weights.jump = schedule_.jump;
+        least_energy = schedule_.least_energy_with_lines;
     }
-    const double least_energy =
-        all_lines_.empty() ? schedule_.least_energy : schedule_.least_energy_with_lines;
-    Net best = net_;
-    Domain best_domain = domain_;
-    double least = missed_by_;
+    const int levels = lines_.empty() ? schedule_.levels : schedule_.levels_with_lines;
+    Best best = now();
     bool exhausted = false;
-    for (int level = 1, idle = 0;
-         level < schedule_.levels && !good_enough() && idle < patience(least); ++level) {
-        options_.progress(static_cast<double>(level) / schedule_.levels, "fairing");
-        if (!refine()) {
+    for (int level = 1, idle = 0; level < levels && idle < patience(best); ++level) {
+        options_.progress(static_cast<double>(level) / levels, "fairing");
+        const bool good = good_enough(missed_by_);
+        if (good && jump_ <= schedule_.visible_jump) {
+            break;
+        }
+        if (good && idle == 0) {
+            weights.jump *= schedule_.jump_factor;
+        } else if (!refine(good ? 0.0 : 1.0)) {
             break;
         }
         exhausted = !affordable();
@@ -250,21 +295,24 @@ Result<Fairing> Levels::run() {
         if (auto measured = measure(); !measured) {
             return tl::unexpected(measured.error());
         }
-        const bool nearer = missed_by_ <= schedule_.progress * least;
-        idle = nearer ? 0 : idle + 1;
-        if (!nearer) {
-            weights.jump = std::min(weights.jump, schedule_.least_jump);
+        const bool noisy =
+            level == 1 && !lines_.empty() && variation_ > schedule_.noisy * best.variation;
+        if (noisy) {
+            go_back_to(best);
+            if (auto measured = measure(); !measured) {
+                return tl::unexpected(measured.error());
+            }
+            weights.energy = schedule_.fine.energy;
+            least_energy = schedule_.least_energy_of_noisy;
+            continue;
         }
-        if (missed_by_ < least) {
-            least = missed_by_;
-            best = net_;
-            best_domain = domain_;
+        idle = brings(best) ? 0 : idle + 1;
+        if (better_than(best)) {
+            best = now();
         }
         weights.energy = std::max(schedule_.energy_factor * weights.energy, least_energy);
     }
-    net_ = best;
-    domain_ = best_domain;
-    sample_densely();
+    go_back_to(best);
     settle_outside(polygons_of(measured_), net_);
     if (auto measured = measure(); !measured) {
         return tl::unexpected(measured.error());

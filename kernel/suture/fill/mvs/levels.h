@@ -36,14 +36,28 @@ class Levels {
                                                 const BoundarySample& sample) const;
     };
 
+    /// The best net so far.
+    struct Best {
+        Net net;
+        Domain domain;
+        double missed_by = 0.0;
+        double jump = 0.0;
+        double variation = 0.0;
+    };
+
     [[nodiscard]] Result<void> measure();
     [[nodiscard]] Result<void> expect_finite() const;
-    [[nodiscard]] bool good_enough() const;
+    [[nodiscard]] bool good_enough(double missed_by) const;
+    [[nodiscard]] bool better_than(const Best& best) const;
+    [[nodiscard]] bool brings(const Best& best) const;
+    [[nodiscard]] Best now() const;
+    void go_back_to(const Best& best);
+    [[nodiscard]] double largest_bend() const;
     [[nodiscard]] bool affordable() const;
-    [[nodiscard]] int patience(double missed_by) const;
+    [[nodiscard]] int patience(const Best& best) const;
     [[nodiscard]] std::pair<Axis, Axis> finer(double limit) const;
     void keep_least_spans(const Axis& axis, std::vector<bool>& marked) const;
-    [[nodiscard]] bool refine();
+    [[nodiscard]] bool refine(double least);
     [[nodiscard]] System system(const Weights& weights) const;
     [[nodiscard]] Weights with_lines(Weights weights) const;
     void lay_inside();
@@ -64,6 +78,8 @@ class Levels {
     std::vector<BoundarySample> measured_;
     std::vector<Miss> misses_;
     double missed_by_ = 0.0;
+    double jump_ = 0.0;       // across knot lines, against the neighbours' largest curvature
+    double variation_ = 0.0;  // of curvature
     bool poor_ = false;
     int steps_ = 0;
     double most_work_ = 0.0;

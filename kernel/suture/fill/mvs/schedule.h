@@ -26,6 +26,7 @@ struct Schedule {
     int most_poles = 40;
     int most_poles_with_lines = 80;
     int levels = 10;
+    int levels_with_lines = 16;
     // Times that islands and inner points are laid out again before the exact functional counts.
     int relayed = 2;
     // Samples a span, and on a side at least; as many again, and more, to measure between them.
@@ -73,12 +74,19 @@ struct Schedule {
     Weights rough = {1e-8, 1.0, 1e-8, 0.03, 0.0};
     Weights exact = {1e-8, 1e-6, 1e-8, 0.03, 1e-3};
     Weights fine = {1e-10, 1e-6, 1e-8, 0.03, 1e-5};
+    Weights fine_with_lines = {1e-14, 1e-6, 1e-8, 0.03, 1e-5};
     // The energy's weight falls with every level: what misses the boundary last are corners at
     // which the energy would like to round the neighbours' disagreement. Less than the least is
-    // rounding; with knot lines, the energy still bends re-entrant corners at that.
+    // rounding.
     double energy_factor = 0.01;
     double least_energy = 1e-13;
-    double least_energy_with_lines = 1e-16;
+    // With knot lines no corner needs rounding, and the boundary decides from the first level on.
+    // Where the curvature then varies so many times as much as that of the fair shape, it is the
+    // neighbours' noise that is followed: the weight begins anew like without lines, and falls to
+    // the last of these.
+    double least_energy_with_lines = 1e-18;
+    double noisy = 200.0;
+    double least_energy_of_noisy = 1e-16;
     SolverOptions rough_steps = {5, 3e-3, 0.0, 1e-2};
     SolverOptions exact_steps = {8, 2e-6, 0.0002, 1e-1};
     SolverOptions fine_steps = {3, 3e-6, 0.05, 1.0};
@@ -90,11 +98,18 @@ struct Schedule {
     double curvature_price = 1.1;
 
     // A corner gets knot lines where without them the smallest spans would miss by this part of the
-    // angle asked for. The jump of curvature across a line counts so much against the energy that
-    // nobody sees it in the middle; where the boundary is then missed, so much.
+    // angle asked for.
     double twisted = 0.5;
+    // How much the jump of curvature across a line counts against the energy. Where the boundary is
+    // met, it counts by this factor more, and the net is refined by turns, as long as it jumps in
+    // the middle by more than this part of the neighbours' largest curvature; in the middle is what
+    // is so far from the boundary, in the solver's unit. A net on which the curvature varies by so
+    // much more is no better.
     double jump = 1e4;
-    double least_jump = 1e3;
+    double jump_factor = 10.0;
+    double visible_jump = 0.02;
+    double seen_from = 0.1;
+    double rougher = 2.0;
 };
 
 }  // namespace suture::mvs

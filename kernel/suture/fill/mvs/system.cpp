@@ -441,6 +441,19 @@ double System::objective(const Net& net) const {
     return 0.5 * (sum + weights_.energy * x.cwiseProduct(flat_.times(x)).sum());
 }
 
+double System::variation(const Net& net) const {
+    std::vector<double> sums(spans_.size(), 0.0);
+    tbb::parallel_for(std::size_t{0}, spans_.size(), [&](std::size_t i) {
+        const Span& span = spans_[i];
+        const LocalPoles poles = net.local_poles(span.u, span.v);
+        for (const QuadraturePoint& point : span.points) {
+            const Derivatives X = poles.lazyProduct(basis_at(point));
+            sums[i] += point.weight * curvature_variation(X).squaredNorm();
+        }
+    });
+    return std::accumulate(sums.begin(), sums.end(), 0.0);
+}
+
 void System::set_weights(const Weights& weights) {
     weights_ = weights;
     flat_ = flat({0.0, 0.0, weights.parametrisation, weights.extension}, weights.jump);

@@ -42,6 +42,9 @@ class System {
 
     [[nodiscard]] double objective(const Net& net) const;
 
+    /// The integral of |grad II|^2 over the domain.
+    [[nodiscard]] double variation(const Net& net) const;
+
     struct Linearised {
         BlockBand matrix;
         Eigen::VectorXd gradient;
