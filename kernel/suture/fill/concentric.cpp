@@ -32,6 +32,31 @@ constexpr double kFitShare = 1e-4;
 constexpr double kSalience = 0.1;
 constexpr double kFlatness = 0.02;
 
+/// A side that leaves the plane of its neighbour at a corner by more cannot be met beside it.
+constexpr double kMostOut = radians(30.0);
+
+/// Refuses  a neighbour out of whose tangent plane the next side runs at a corner, naming it.
+Result<void> check_corners(const Hole& hole) {
+    const auto& ribbons = hole.loops.front().ribbons;
+    const std::size_t n = ribbons.size();
+    for (std::size_t i = 0; n > 1 && i < n; ++i) {
+        for (const int end : {0, 1}) {
+            const Ribbon& beside = ribbons[(i + (end == 0 ? n - 1 : 1)) % n];
+            const Vector3d along = beside.at(1.0 - end).tangent.normalized();
+            const double out =
+                std::asin(std::clamp(std::abs(ribbons[i].at(end).normal.dot(along)), 0.0, 1.0));
+            if (ribbons[i].continuity >= Continuity::G1 && out > kMostOut) {
+                return fail(
+                    ErrorCode::Refused,
+                    "{} leaves the tangent plane of the neighbour at {} by {:.1f} deg where "
+                    "they meet (limit {:.0f}): no surface is tangent there",
+                    name_of(beside), name_of(ribbons[i]), degrees(out), degrees(kMostOut));
+            }
+        }
+    }
+    return {};
+}
+
 /// An error that speaks of parameters: s = 2.3 is on the third side.
 Error named_after_sides(const Error& error, const Hole& hole) {
     const auto& ribbons = hole.loops.front().ribbons;
@@ -84,41 +109,39 @@ FillResult fill_flat(const Boundary& boundary, concentric::ConcentricCurve& axis
     return result;
 }
 
-/// The map lifted into space: cubic along the spokes.
-Result<FillResult> fill_curved(const Hole& hole, const Boundary& boundary,
-                               concentric::ConcentricCurve& axis, std::optional<int> single,
-                               const Tolerance& tolerance) {
+/// The map lifted into space along a guide.
+FillResult fill_curved(const Hole& hole, const Boundary& boundary, const concentric::Guide& guide,
+                       concentric::ConcentricCurve& axis, std::optional<int> single,
+                       const Tolerance& tolerance) {
     // Corners get their nodes first: then every course keeps its ends.
     for (int i = 0; i < boundary.count(); ++i) {
         concentric::insert_node(axis, i);
     }
     const std::vector<Region> regions = concentric::regions_of(boundary, axis, single);
-    auto lift = concentric::Lift::make(hole, boundary, axis, tolerance);
-    if (!lift) {
-        return tl::unexpected(lift.error());
-    }
+    concentric::Lift lift(hole, boundary, guide, axis, regions, tolerance);
     FillResult result = concentric::assemble(
-        regions, [&](const Region& region) { return lift->surface(region); },
-        [&](int node) { return lift->vertex(node); });
+        regions, [&](const Region& region) { return lift.surface(region); },
+        [&](int node) { return lift.vertex(node); });
     for (Patch& patch : result.patches) {
         patch.exact = false;
-        patch.fit_error = std::max(boundary.error, lift->error());
+        patch.fit_error = std::max(boundary.error, lift.error());
     }
-    if (lift->error() > lift->accuracy()) {
-        result.notes.push_back(fmt::format(
-            "the lifted surface is fitted to within {:.2g} only (wanted {:.2g}): its faces "
-            "may meet at larger angles than wanted",
-            lift->error(), lift->accuracy()));
+    result.notes = guide.notes;
+    if (lift.missed() > 1.0) {
+        result.notes.push_back(
+            fmt::format("the lifted faces miss their guide by {:.2g} times what is wanted: they "
+                        "may meet at larger angles",
+                        lift.missed()));
     }
     return result;
 }
 
-Result<ConcentricMap> map_of(const Boundary& boundary, const FillOptions& options, bool single) {
+Result<ConcentricMap> map_of(const concentric::ClosedSpline& loop, const FillOptions& options,
+                             bool single) {
     const std::string_view axis = find_word(options.own, "axis").value_or("certified");
     if (axis != "certified") {
         using concentric::PaperAxis;
-        return concentric::paper_map(boundary.planar,
-                                     axis == "basic" ? PaperAxis::Basic : PaperAxis::Moved);
+        return concentric::paper_map(loop, axis == "basic" ? PaperAxis::Basic : PaperAxis::Moved);
     }
     concentric::MapOptions map_options;
     map_options.salience = find_number(options.own, "salience").value_or(kSalience);
@@ -126,7 +149,7 @@ Result<ConcentricMap> map_of(const Boundary& boundary, const FillOptions& option
     // OCCT does not read a face from STEP whose border meets itself in points at such places.
     map_options.rest_between_corners = !single;
     map_options.rest_at_tips = true;
-    return concentric::concentric_map(boundary.planar, map_options);
+    return concentric::concentric_map(loop, map_options);
 }
 
 std::string note(const ConcentricMap& map, bool flat) {
@@ -164,23 +187,34 @@ Result<FillResult> fill_concentric(const Hole& hole, const FillOptions& options)
     if (!boundary) {
         return tl::unexpected(boundary.error());
     }
+    const bool flat = is_flat(hole, *boundary, options.tolerance);
+    std::optional<concentric::Guide> guide;
+    if (!flat) {
+        if (const auto corners = check_corners(hole); !corners) {
+            return tl::unexpected(corners.error());
+        }
+        auto found = concentric::guide_of(hole, options);
+        if (!found) {
+            return tl::unexpected(found.error());
+        }
+        guide = std::move(*found);
+    }
+    const concentric::ClosedSpline& loop = flat ? boundary->planar : guide->loop;
     const bool single = find_word(options.own, "faces").value_or("regions") == "one";
-    auto map = map_of(*boundary, options, single);
+    auto map = map_of(loop, options, single);
     if (!map) {
         return tl::unexpected(named_after_sides(map.error(), hole));
     }
     std::optional<int> first;
     if (single) {
-        auto opened = concentric::with_stubs(map->axis, boundary->planar, boundary->count());
+        auto opened = concentric::with_stubs(map->axis, loop, boundary->count());
         map->axis = std::move(opened.axis);
         first = opened.side;
     }
-    const bool flat = is_flat(hole, *boundary, options.tolerance);
-    auto result = flat ? fill_flat(*boundary, map->axis, first)
-                       : fill_curved(hole, *boundary, map->axis, first, options.tolerance);
-    if (result) {
-        result->notes.push_back(note(*map, flat));
-    }
+    FillResult result =
+        flat ? fill_flat(*boundary, map->axis, first)
+             : fill_curved(hole, *boundary, *guide, map->axis, first, options.tolerance);
+    result.notes.push_back(note(*map, flat));
     return result;
 }
 

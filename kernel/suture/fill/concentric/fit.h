@@ -37,4 +37,18 @@ struct Break {
 [[nodiscard]] FittedCurve fit_curve(const std::function<Eigen::VectorXd(double)>& at,
                                     std::vector<Break> breaks, int degree, double accuracy);
 
+/// How far a curve misses what is wanted between two of its breaks, against what is allowed.
+using Missed = std::function<double(const SplineCurve& curve, double from, double to)>;
+
+/// Derivatives at the ends of a curve's domain.
+struct EndSlopes {
+    Eigen::VectorXd from, to;
+};
+
+/// The same by another measure, of which the error is the largest, and with slopes at the ends that
+/// are met exactly: they stand for the Greville points next to the ends. Degree 3 or more.
+[[nodiscard]] FittedCurve fit_curve(const std::function<Eigen::VectorXd(double)>& at,
+                                    const EndSlopes& slopes, std::vector<Break> breaks, int degree,
+                                    const Missed& missed);
+
 }  // namespace suture::concentric

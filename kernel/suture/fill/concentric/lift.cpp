@@ -10,239 +10,249 @@
 namespace suture::concentric {
 namespace {
 
+using Eigen::Map;
 using Eigen::MatrixXd;
-using Eigen::Vector2d;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-/// Neighbours that lean more stand across the hole: their slopes are no gentle ones.
-constexpr double kMostLean = radians(75.0);
+/// What surfaces may miss, as shares of the tolerance: normals along the hole's own edges, along
+/// seams and the axis, where both sides differ, and inside of faces, where a shape is what it is.
+constexpr double kBorderShare = 0.3;
+constexpr double kSeamShare = 0.2;
+constexpr double kAxisShare = 0.03;
+constexpr double kInnerShare = 10.0;
 
-/// Degree in s of what is fitted.
-constexpr int kDegree = 5;
+/// Positions along the axis, where faces meet, and inside: as shares of the tolerance.
+constexpr double kAxisPlace = 1e-3;
+constexpr double kInnerPlace = 1.0;
+
+/// Spokes take a share of what is allowed inside.
+constexpr double kRadialShare = 0.5;
 
 /// The most spans in t.
 constexpr int kMostSpans = 32;
 
-/// A fit is finer than the wanted angle by this factor.
-constexpr double kFitShare = 0.02;
+/// Degrees to choose the one from that takes fewest poles.
+constexpr int kDegrees[] = {3, 4, 5};
 
-/// So are slopes along the axis, where both sides have the same anyway, by this factor.
-constexpr double kAxisShare = 0.3;
+/// Shorter spans of a strip, as a share of it, are none.
+constexpr double kLeastSpan = 0.01;
 
-/// Slopes that differ by more make a visible change where they fade.
-constexpr double kConflict = 1e-4;
+/// Spokes of a strip to choose the knots in t by, as parts of it.
+constexpr double kTrials[] = {0.0, 0.25, 0.5, 0.75, 1.0};
 
-/// Spokes over each course to choose the number of spans in t by.
-constexpr int kTrialSpokes = 8;
+constexpr double kTimes[] = {0.0, 0.04, 0.15, 0.4, 0.7, 0.9, 1.0};
 
-/// The gradient of the tangent plane with this normal, as a height over the frame's plane.
-Vector2d gradient_of(const Frame& frame, const Vector3d& normal) {
-    return Vector2d(-normal.dot(frame.x), -normal.dot(frame.y)) / normal.dot(frame.z);
+/// A curve and one that begins where it ends, of one degree.
+void append(SplineCurve& all, const SplineCurve& next) {
+    MatrixXd poles(all.poles.rows(), all.count() + next.count() - 1);
+    poles << all.poles, next.poles.rightCols(next.count() - 1);
+    all.knots.pop_back();
+    all.knots.insert(all.knots.end(), next.knots.begin() + next.degree + 1, next.knots.end());
+    all.poles = std::move(poles);
 }
 
-/// From 1 at 0 to 0 at 1 and beyond, with two derivatives that are 0 at both ends.
-double fading(double x) {
-    return x >= 1.0 ? 0.0 : 1.0 - x * x * x * (10.0 - 15.0 * x + 6.0 * x * x);
-}
-
-const Ribbon& ribbon_of(const Hole& hole, int side) {
-    return hole.loops.front().ribbons[static_cast<std::size_t>(side)];
+double angle_between(const Vector3d& a, const Vector3d& b) {
+    return std::atan2(a.cross(b).norm(), a.dot(b));
 }
 
 }  // namespace
 
-Lift::Lift(const Hole& hole, const Boundary& boundary, const ConcentricCurve& axis,
-           HeightField field, const Tolerance& tolerance)
-    : hole_(hole),
-      boundary_(boundary),
-      axis_(axis),
-      field_(std::move(field)),
-      accuracy_(kFitShare *
-                std::min(tolerance.angular * field_.least_distance(axis), tolerance.linear)),
-      lifted_axis_(axis, field_, accuracy_, kAxisShare * tolerance.angular) {
-    for (int side = 0; side < boundary.count(); ++side) {
-        sides_.push_back(local(boundary.sides[static_cast<std::size_t>(side)]));
-        conflicts_.push_back(
-            {missed_gradient(side, side).norm(), missed_gradient(side, side + 1.0).norm()});
-    }
-    choose_radial_spans();
-    error_ = lifted_axis_.error();
+Lift::Lift(const Hole& hole, const Boundary& boundary, const Guide& guide,
+           const ConcentricCurve& axis, const std::vector<Region>& regions,
+           const Tolerance& tolerance)
+    : tolerance_(tolerance), spokes_(hole, boundary, guide, axis) {
+    choose_radial_knots(regions);
 }
 
-Result<Lift> Lift::make(const Hole& hole, const Boundary& boundary, const ConcentricCurve& axis,
-                        const Tolerance& tolerance) {
-    constexpr int kProbes = 32;
-    for (const Ribbon& ribbon : hole.loops.front().ribbons) {
-        for (int k = 0; ribbon.continuity >= Continuity::G1 && k <= kProbes; ++k) {
-            const Vector3d normal = ribbon.at(static_cast<double>(k) / kProbes).normal;
-            const double lean = std::acos(std::clamp(normal.dot(boundary.frame.z), -1.0, 1.0));
-            if (lean > kMostLean) {
-                return fail(ErrorCode::Refused,
-                            "the neighbour at {} leans by {:.1f} deg from the hole's mean plane "
-                            "(limit {:.0f}): no surface over that plane is tangent to it",
-                            name_of(ribbon), degrees(lean), degrees(kMostLean));
+std::vector<Strip> Lift::strips(const Region& region) {
+    std::vector<Strip> all;
+    for (const Course& course : region.courses) {
+        const int last =
+            std::min(static_cast<int>(std::ceil(course.to)), region.first + region.count);
+        for (int side = static_cast<int>(std::floor(course.from)); side < last; ++side) {
+            const Strip strip{side, course, std::max(course.from, 1.0 * side),
+                              std::min(course.to, side + 1.0)};
+            if (strip.to - strip.from > kSameParameter) {
+                all.push_back(strip);
             }
         }
     }
-    return Lift(hole, boundary, axis, HeightField::over(hole, boundary, tolerance), tolerance);
+    return all;
 }
 
-Vector3d Lift::vertex(int node) const {
-    return boundary_.lifted(axis_.nodes[static_cast<std::size_t>(node)]) +
-           lifted_axis_.height(node) * boundary_.frame.z;
-}
-
-/// What the height field's gradient misses of the neighbour's: nothing where position alone is
-/// wanted.
-Vector2d Lift::missed_gradient(int side, double s) const {
-    const Ribbon& ribbon = ribbon_of(hole_, side);
-    if (ribbon.continuity < Continuity::G1) {
-        return Vector2d::Zero();
+Lift::Data Lift::data(const MovingSpoke& spoke) const {
+    const int n = radial_.count();
+    Data all{MatrixXd(3, n), MatrixXd(3, n)};
+    const auto put = [&](int k, const Vector3d& x, const Vector3d& change) {
+        all.points.col(k) = x;
+        all.changes.col(k) = change;
+    };
+    const SpokeJet start = spokes_.jet(spoke, 0.0);
+    const SpokeJet end = spokes_.jet(spoke, 1.0);
+    put(0, start.point, start.s);
+    put(1, start.t, start.st);
+    for (int k = 2; k < n - 2; ++k) {
+        const SpokeJet jet = spokes_.jet(spoke, radial_.sites()[static_cast<std::size_t>(k - 2)]);
+        put(k, jet.point, jet.s);
     }
-    const RibbonPoint p = ribbon.at(s - side);
-    return gradient_of(boundary_.frame, p.normal) -
-           field_.gradient(boundary_.coordinates(p.point).head<2>());
+    put(n - 2, end.t, end.st);
+    put(n - 1, end.point, end.s);
+    return all;
 }
 
-Lift::Spoke Lift::spoke(const SplineCurve& gamma, const Course& course, double s) const {
-    const Vector2d a = axis_.nodes[static_cast<std::size_t>(course.start)];
-    const Vector2d b = axis_.nodes[static_cast<std::size_t>(course.end)];
-    const double part = std::clamp((s - course.from) / (course.to - course.from), 0.0, 1.0);
-    const int side = std::clamp(static_cast<int>(std::floor(s)), 0, boundary_.count() - 1);
-    Spoke spoke;
-    spoke.from = evaluate(gamma, s).col(0);
-    const Vector2d at = spoke.from.head<2>();
-    spoke.along = a + part * (b - a) - at;
-    const LiftedAxis::Point end = lifted_axis_.at(course, s);
-    spoke.end_slope = end.gradient.dot(spoke.along);
-    spoke.end_height = end.height;
-    spoke.missed_height = spoke.from.z() - field_.height(at);
-    // At corners the field is left as it is: both sides share that spoke, and its neighbourhood.
-    const double kept =
-        (1.0 - fading((s - side) / kFade)) * (1.0 - fading((side + 1.0 - s) / kFade));
-    spoke.missed_slope = kept * missed_gradient(side, s).dot(spoke.along);
-    spoke.start_slope = field_.gradient(at).dot(spoke.along) + spoke.missed_slope;
-    return spoke;
+/// Against what is allowed.
+double Lift::missed_by(const SpokeJet& made, const SpokeJet& wanted, double angle,
+                       double place) const {
+    return std::max(angle_between(made.s.cross(made.t), wanted.s.cross(wanted.t)) /
+                        (angle * tolerance_.angular),
+                    (made.point - wanted.point).norm() / (place * tolerance_.linear));
 }
 
-double Lift::height(const Spoke& spoke, double t) const {
-    const double left = (1.0 - t) * (1.0 - t);
-    return field_.height(spoke.from.head<2>() + t * spoke.along) +
-           left * (1.0 + 2.0 * t) * spoke.missed_height + left * t * spoke.missed_slope;
-}
-
-VectorXd Lift::heights(const Spoke& spoke, const CompleteCubic& radial) const {
-    VectorXd data(radial.count() - 1);
-    data[0] = spoke.start_slope;
-    for (int k = 1; k < radial.spans(); ++k) {
-        data[k] = height(spoke, static_cast<double>(k) / radial.spans());
+/// How far a spoke's spline misses it on each span, against what is allowed.
+void Lift::measure_spoke(const MovingSpoke& spoke, double share,
+                         std::vector<double>& missed) const {
+    const Data all = data(spoke);
+    const MatrixXd points = radial_.poles(all.points);
+    const MatrixXd changes = radial_.poles(all.changes);
+    const std::vector<double>& breaks = radial_.breaks();
+    for (std::size_t k = 0; k + 1 < breaks.size(); ++k) {
+        for (const double x : {0.1, 0.3, 0.5, 0.7, 0.9}) {
+            const double t = breaks[k] + x * (breaks[k + 1] - breaks[k]);
+            const MatrixXd p = radial_.evaluate(points, t);
+            const MatrixXd d = radial_.evaluate(changes, t);
+            const SpokeJet made{p.col(0), d.col(0), p.col(1), d.col(1)};
+            missed[k] = std::max(missed[k], missed_by(made, spokes_.jet(spoke, t), share,
+                                                      kRadialShare * kInnerPlace));
+        }
     }
-    data[radial.spans()] = spoke.end_slope;
-    data[radial.spans() + 1] = spoke.end_height;
-    return data;
 }
 
-/// As few spans as make z accurate along some spokes; all surfaces have the same, for their seams.
-void Lift::choose_radial_spans() {
-    double error = INFINITY;
-    for (int spans = 1; spans <= kMostSpans && error > accuracy_; spans *= 2) {
-        const CompleteCubic radial(spans);
-        error = 0.0;
-        for (const Course& course : courses(axis_)) {
-            for (int k = 0; k < kTrialSpokes; ++k) {
-                const double s = course.from + (course.to - course.from) * (k + 0.5) / kTrialSpokes;
-                const double on_turn = s - axis_.period * std::floor(s / axis_.period);
-                const auto side = static_cast<std::size_t>(on_turn);
-                Course turned = course;
-                turned.from += on_turn - s;
-                turned.to += on_turn - s;
-                const Spoke trial = spoke(sides_[side], turned, on_turn);
-                MatrixXd data(1, radial.count());
-                data << trial.from.z(), heights(trial, radial).transpose();
-                const SplineCurve z = radial.spline(data);
-                for (int i = 0; i < spans; ++i) {
-                    for (const double part : {0.2, 0.5, 0.8}) {
-                        const double t = (i + part) / spans;
-                        error = std::max(error, std::abs(evaluate(z, t)(0, 0) - height(trial, t)));
-                    }
+/// As few spans as bring spokes and their normals within what is allowed.
+void Lift::choose_radial_knots(const std::vector<Region>& regions) {
+    std::vector<double> breaks = {0.0, 1.0};
+    for (;;) {
+        radial_ = Radial(breaks);
+        std::vector<double> missed(breaks.size() - 1, 0.0);
+        for (const Region& region : regions) {
+            for (const Strip& strip : strips(region)) {
+                for (const double part : kTrials) {
+                    // Where strips meet, normals of both sides have to be the same.
+                    const bool inside = part > 0.0 && part < 1.0;
+                    const double s = (1.0 - part) * strip.from + part * strip.to;
+                    measure_spoke(spokes_.moving(strip, s),
+                                  inside ? kRadialShare * kInnerShare : kSeamShare, missed);
                 }
             }
         }
-        radial_ = radial;
-    }
-    error_ = std::max(error_, error);
-}
-
-/// In the frame's coordinates.
-SplineCurve Lift::local(SplineCurve curve) const {
-    for (int k = 0; k < curve.count(); ++k) {
-        curve.poles.col(k) = boundary_.coordinates(curve.poles.col(k));
-    }
-    return curve;
-}
-
-/// Where z is not smooth in s.
-std::vector<Break> Lift::breaks(const SplineCurve& gamma, const Region& region) const {
-    std::vector<Break> found;
-    for (const double knot : gamma.knots) {
-        const auto times = std::count(gamma.knots.begin(), gamma.knots.end(), knot);
-        found.push_back({knot, times < gamma.degree ? 1 : 0});
-    }
-    for (const Course& course : region.courses) {
-        found.push_back({course.from, 0});
-        for (const double at : lifted_axis_.breaks(course)) {
-            found.push_back({at, 1});
-        }
-    }
-    for (int side = region.first; side < region.first + region.count; ++side) {
-        const auto& conflicts = conflicts_[static_cast<std::size_t>(side)];
-        for (const int end : {0, 1}) {
-            if (conflicts.at(static_cast<std::size_t>(end)) > kConflict) {
-                found.push_back({side + end + (end == 0 ? kFade : -kFade), 2});
+        std::vector<double> finer = breaks;
+        for (std::size_t k = 0; k + 1 < breaks.size(); ++k) {
+            if (missed[k] > 1.0) {
+                finer.push_back(0.5 * (breaks[k] + breaks[k + 1]));
             }
         }
+        if (finer.size() == breaks.size() || static_cast<int>(finer.size()) > kMostSpans + 1) {
+            return;
+        }
+        std::sort(finer.begin(), finer.end());
+        breaks = std::move(finer);
     }
-    return sorted(std::move(found));
+}
+
+/// Between two breaks of a strip.
+double Lift::missed_on(const Strip& strip, const SplineCurve& gamma, const SplineCurve& rows,
+                       double from, double to) {
+    const int n = radial_.count();
+    const bool rests = strip.course.start == strip.course.end;
+    double missed = 0.0;
+    for (const double part : {0.05, 0.27, 0.5, 0.73, 0.95}) {
+        const double s = from + part * (to - from);
+        const MovingSpoke spoke = spokes_.moving(strip, s);
+        const MatrixXd start = evaluate(gamma, s, 1);
+        const MatrixXd others = evaluate(rows, s, 1);
+        MatrixXd points(3, n);
+        MatrixXd changes(3, n);
+        points << start.col(0), Map<const MatrixXd>(others.col(0).data(), 3, n - 1);
+        changes << start.col(1), Map<const MatrixXd>(others.col(1).data(), 3, n - 1);
+        points = radial_.poles(points);
+        changes = radial_.poles(changes);
+        for (const double t : kTimes) {
+            if (rests && t == 1.0) {
+                continue;  // a point
+            }
+            const MatrixXd p = radial_.evaluate(points, t);
+            const MatrixXd d = radial_.evaluate(changes, t);
+            const SpokeJet wanted = spokes_.jet(spoke, t);
+            const double angle = t == 0.0 ? kBorderShare : t == 1.0 ? kAxisShare : kInnerShare;
+            missed = std::max(missed, missed_by({p.col(0), d.col(0), p.col(1), d.col(1)}, wanted,
+                                                angle, t == 1.0 ? kAxisPlace : kInnerPlace));
+            error_ = std::max(error_, (p.col(0) - wanted.point).norm());
+        }
+    }
+    return missed;
+}
+
+/// All but the row along the side, strip by strip: with the slopes at their ends faces meet at
+/// seams as their spokes do.
+FittedCurve Lift::fit(const Region& region, const SplineCurve& gamma) {
+    const auto row = [](const MatrixXd& all) -> VectorXd {
+        return Map<const VectorXd>(all.col(1).data(), all.size() - 3);
+    };
+    FittedCurve all;
+    for (const Strip& strip : strips(region)) {
+        const auto at = [&](double s) { return row(data(spokes_.moving(strip, s)).points); };
+        const EndSlopes slopes{row(data(spokes_.moving(strip, strip.from)).changes),
+                               row(data(spokes_.moving(strip, strip.to)).changes)};
+        std::vector<Break> breaks = {{strip.from, 0}, {strip.to, 0}};
+        // The side's knots, but for those that would only make a sliver of a span.
+        const double least = kLeastSpan * (strip.to - strip.from);
+        double last = strip.from;
+        for (const double knot : gamma.knots) {
+            if (knot > last + least && knot < strip.to - least) {
+                const auto times = std::count(gamma.knots.begin(), gamma.knots.end(), knot);
+                breaks.push_back({knot, std::max(0, gamma.degree - static_cast<int>(times))});
+                last = knot;
+            }
+        }
+        const FittedCurve piece = fit_curve(at, slopes, sorted(std::move(breaks)), gamma.degree,
+                                            [&](const SplineCurve& rows, double from, double to) {
+                                                return missed_on(strip, gamma, rows, from, to);
+                                            });
+        all.error = std::max(all.error, piece.error);
+        if (all.curve.knots.empty()) {
+            all.curve = piece.curve;
+        } else {
+            append(all.curve, piece.curve);
+        }
+    }
+    return all;
 }
 
 SplineSurface Lift::surface(const Region& region) {
-    SplineCurve gamma = local(region.side);
-    const auto course = [&](double s) -> const Course& {
-        const auto at = std::find_if(region.courses.begin(), region.courses.end(),
-                                     [&](const Course& c) { return s <= c.to; });
-        return at == region.courses.end() ? region.courses.back() : *at;
-    };
-    // What lies on the axis is a polynomial of two degrees more than gamma.
-    const SplineCurve side = gamma;
-    FittedCurve fit =
-        fit_curve([&](double s) { return heights(spoke(side, course(s), s), radial_); },
-                  breaks(gamma, region), std::max(kDegree, gamma.degree + 2), accuracy_);
-    error_ = std::max(error_, fit.error);
-    SplineCurve foot = linear_spline(region.courses, axis_.nodes);
-    make_compatible(gamma, foot);
-    make_compatible(gamma, fit.curve);
-    make_compatible(gamma, foot);
-    std::vector<SplineCurve> rows(static_cast<std::size_t>(radial_.count()), gamma);
-    for (int k = 0; k < gamma.count(); ++k) {
-        const Vector3d from = gamma.poles.col(k);
-        const Vector2d to = foot.poles.col(k);
-        MatrixXd data(1, radial_.count());
-        data << from.z(), fit.curve.poles.col(k).transpose();
-        const MatrixXd z = radial_.poles(data);
-        for (int j = 0; j < radial_.count(); ++j) {
-            const double t = radial_.greville(j);
-            const Vector2d xy = (1.0 - t) * from.head<2>() + t * to;
-            rows[static_cast<std::size_t>(j)].poles.col(k) =
-                boundary_.lifted(xy) + z(0, j) * boundary_.frame.z;
+    SplineCurve gamma;
+    FittedCurve fitted;
+    for (const int degree : kDegrees) {
+        SplineCurve side = elevated(region.side, std::max(degree, region.side.degree));
+        FittedCurve fit = this->fit(region, side);
+        make_compatible(side, fit.curve);
+        const bool better = fit.error <= std::max(1.0, fitted.error) &&
+                            (side.count() < gamma.count() || fitted.error > 1.0);
+        if (gamma.knots.empty() || better) {
+            gamma = std::move(side);
+            fitted = std::move(fit);
         }
     }
-    rows.front().poles = [&] {
-        SplineCurve exact = region.side;
-        SplineCurve knots = gamma;
-        make_compatible(exact, knots);
-        return exact.poles;
-    }();
+    missed_ = std::max(missed_, fitted.error);
+    std::vector<SplineCurve> rows(static_cast<std::size_t>(radial_.count()), gamma);
+    for (int k = 0; k < gamma.count(); ++k) {
+        MatrixXd points(3, radial_.count());
+        points << gamma.poles.col(k),
+            Map<const MatrixXd>(fitted.curve.poles.col(k).data(), 3, radial_.count() - 1);
+        const MatrixXd poles = radial_.poles(points);
+        for (int j = 0; j < radial_.count(); ++j) {
+            rows[static_cast<std::size_t>(j)].poles.col(k) = poles.col(j);
+        }
+    }
     collapse_rests(rows.back(), region.courses, [&](int node) { return vertex(node); });
     return from_rows(rows, radial_.knots());
 }

@@ -2186,6 +2186,11 @@ oder installieren oder angeben, wo es ist: Bearbeiten &gt; Einstellungen &gt; Su
     </message>
     <message>
       <location filename="program.txt" />
+      <source>the lifted faces miss their guide by {0} times what is wanted: they may meet at larger angles</source>
+      <translation>die angehobenen Flächen verfehlen ihre Leitfläche um das {0}-Fache des Gewünschten: sie können sich unter größeren Winkeln treffen</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
       <source>the net of {0} x {1} poles is not finite after {2} steps</source>
       <translation>das Netz mit {0} x {1} Polen ist nach {2} Schritten nicht endlich</translation>
     </message>
@@ -3036,8 +3041,8 @@ oder installieren oder angeben, wo es ist: Bearbeiten &gt; Einstellungen &gt; Su
     </message>
     <message>
       <location filename="program.txt" />
-      <source>the neighbour at {0} leans by {1} deg from the hole's mean plane (limit {2}): no surface over that plane is tangent to it</source>
-      <translation>der Nachbar an {0} neigt sich um {1}° gegen die mittlere Ebene des Lochs (Grenze {2}): keine Fläche über dieser Ebene ist tangential zu ihm</translation>
+      <source>{0} leaves the tangent plane of the neighbour at {1} by {2} deg where they meet (limit {3}): no surface is tangent there</source>
+      <translation>{0} verlässt die Tangentialebene des Nachbarn an {1} um {2}°, wo sie sich treffen (Grenze {3}): keine Fläche ist dort tangential</translation>
     </message>
     <message>
       <location filename="program.txt" />

@@ -292,7 +292,7 @@ TEST(FillConcentric, KeepsTheEdgesOwnCurvesAndParameters) {
     }
 }
 
-TEST(FillConcentric, RefusesIslandsPointsAndSteepNeighboursNamingThem) {
+TEST(FillConcentric, RefusesIslandsPointsAndWhatNoSurfaceMeets) {
     const Plane plane{windows::tilted()};
     Hole hole = windows::window_in(plane, {{0, 0}, {3, 2}, 4, false});
     hole.loops.push_back(windows::window_in(plane, {{0, 0}, {1, 1}, 2, true}).loops[0]);
@@ -305,6 +305,7 @@ TEST(FillConcentric, RefusesIslandsPointsAndSteepNeighboursNamingThem) {
     through.through.push_back({});
     EXPECT_FALSE(fill_concentric(through, {}));
 
+    // The sides beside it run straight away from the wall, as no surface tangent to it does.
     Hole steep = opening(shapes::rectangle());
     steep.loops[0].ribbons[2].continuity = Continuity::G1;
     const auto lean = fill_concentric(steep, {});
