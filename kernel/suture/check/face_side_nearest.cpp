@@ -57,8 +57,13 @@ bool FaceSide::descend(const gp_Pnt& local, gp_Pnt2d& uv, gp_Pnt& on_surface) co
             return along.bounded && ((value <= along.low && gradient > 0.0) ||
                                      (value >= along.high && gradient < 0.0));
         };
-        const bool hold_u = held(along_u, uv.X(), gu);
-        const bool hold_v = held(along_v, uv.Y(), gv);
+        // So does one whose whole range moves the point by rounding only, where a surface rests: the
+        // quotient of two roundings would send it anywhere.
+        const auto rests = [this](const Direction& along, const gp_Vec& derivative) {
+            return derivative.Magnitude() * along.size <= kNewtonStep * length_;
+        };
+        const bool hold_u = held(along_u, uv.X(), gu) || rests(along_u, at.Su);
+        const bool hold_v = held(along_v, uv.Y(), gv) || rests(along_v, at.Sv);
         double a = at.Su.SquareMagnitude() + r * at.Suu;
         double b = at.Su * at.Sv + r * at.Suv;
         double c = at.Sv.SquareMagnitude() + r * at.Svv;
