@@ -18,6 +18,8 @@
 #include <TopTools_ListOfShape.hxx>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 
 namespace suture {
 namespace {
@@ -68,6 +70,59 @@ TEST(MeasureContinuity, NotesFacesWhoseOrientationsDisagree) {
     const auto edge = inner_edge(shapes::compound({faces[0], faces[1].Reversed()}));
     EXPECT_NEAR(edge.max_angle, kPi, 1e-12);
     EXPECT_THAT(edge.note, testing::HasSubstr("oriented inconsistently"));
+}
+
+/// Half of the parabolic cylinder z = x^2 from y = 0 to y = +-1. Its line u = 1, on y = 0, rests at
+/// x = 1 for v from 1 to 2, while the others go on.
+occ::Handle<Geom_BSplineSurface> resting(double side) {
+    const std::array<double, 4> edge = {0.0, 1.0, 1.0, 2.0};
+    TColgp_Array2OfPnt poles(1, 3, 1, 7);
+    for (int span = 0; span < 3; ++span) {
+        const auto x = [&](int u, int v) {
+            return u == 1 ? edge[static_cast<std::size_t>(span + v)] : 2.0 * (span + v) / 3.0;
+        };
+        for (int i = 0; i < 3; ++i) {
+            for (int j = 0; j < 3; ++j) {
+                // The bilinear x and its square as polynomials of degree 2 and 2.
+                double sum_x = 0.0;
+                double sum_z = 0.0;
+                int count = 0;
+                for (int p = std::max(0, i - 1); p <= std::min(1, i); ++p) {
+                    for (int q = std::max(0, j - 1); q <= std::min(1, j); ++q) {
+                        sum_x += x(p, q);
+                        sum_z += x(p, q) * x(i - p, j - q);
+                        ++count;
+                    }
+                }
+                poles(i + 1, 2 * span + j + 1) =
+                    gp_Pnt(sum_x / count, side * (1.0 - 0.5 * i), sum_z / count);
+            }
+        }
+    }
+    TColStd_Array1OfReal u(1, 2);
+    TColStd_Array1OfInteger times_u(1, 2);
+    u(1) = 0.0;
+    u(2) = 1.0;
+    times_u.Init(3);
+    TColStd_Array1OfReal v(1, 4);
+    TColStd_Array1OfInteger times_v(1, 4);
+    for (int k = 1; k <= 4; ++k) {
+        v(k) = k - 1.0;
+        times_v(k) = k == 1 || k == 4 ? 3 : 2;
+    }
+    return new Geom_BSplineSurface(poles, u, v, times_u, times_v, 2, 2);
+}
+
+TEST(MeasureContinuity, StaysAtTheEndOfAnEdgeWhereASurfaceRests) {
+    std::vector<TopoDS_Shape> faces;
+    for (const double side : {1.0, -1.0}) {
+        // Next to the line that rests: there v still moves the point, by rounding.
+        faces.push_back(
+            BRepBuilderAPI_MakeFace(resting(side), 0.0, 1.0 - 1e-12, 0.0, 1.0, 1e-7).Face());
+    }
+    const auto edge = inner_edge(sewn(faces));
+    EXPECT_NEAR(edge.length, std::sqrt(5.0) / 2.0 + std::asinh(2.0) / 4.0, 1e-9);
+    EXPECT_NEAR(edge.max_angle, 0.0, 1e-9);
 }
 
 TEST(MeasureContinuity, PlaneIntoCylinderIsTangentWithFullCurvatureMismatch) {
