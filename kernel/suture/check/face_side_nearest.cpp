@@ -57,8 +57,8 @@ bool FaceSide::descend(const gp_Pnt& local, gp_Pnt2d& uv, gp_Pnt& on_surface) co
             return along.bounded && ((value <= along.low && gradient > 0.0) ||
                                      (value >= along.high && gradient < 0.0));
         };
-        // So does one whose whole range moves the point by rounding only, where a surface rests: the
-        // quotient of two roundings would send it anywhere.
+        // So does one whose whole range moves the point by rounding only, where a surface rests:
+        // the quotient of two roundings would send it anywhere.
         const auto rests = [this](const Direction& along, const gp_Vec& derivative) {
             return derivative.Magnitude() * along.size <= kNewtonStep * length_;
         };
