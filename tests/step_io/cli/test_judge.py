@@ -108,7 +108,7 @@ class Severity(Judged):
         self.assertFalse(document["closed"])
 
     def test_a_crease_inside_the_new_face_counts(self):
-        file = CAD / "reopened" / "10_freeform_circle1.open.step"
+        file = CAD / "reopened" / "R04_bspl3_trigger.open.step"
         if not file.exists():
             self.skipTest(f"needs {file}")
         document = self.fill(file, "--method", "concentric")

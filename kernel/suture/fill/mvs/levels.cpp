@@ -129,13 +129,17 @@ bool Levels::brings(const Best& best) const {
 }
 
 Levels::Best Levels::now() const {
-    return {net_, domain_, missed_by_, jump_, variation_};
+    return {net_, domain_, misses_, missed_by_, jump_, variation_, poor_};
 }
 
 void Levels::go_back_to(const Best& best) {
     net_ = best.net;
     domain_ = best.domain;
+    misses_ = best.misses;
+    missed_by_ = best.missed_by;
+    jump_ = best.jump;
     variation_ = best.variation;
+    poor_ = best.poor;
     sample_densely();
 }
 
@@ -249,7 +253,8 @@ void Levels::draw_lines() {
     solve(system(with_lines(schedule_.exact)), schedule_.lined_steps);
 }
 
-Result<Fairing> Levels::run() {
+// The fair shape on the first net; the weights with which the levels begin.
+Result<Weights> Levels::begin() {
     lay_inside();
     sample_densely();
     System first = system(with_lines(schedule_.rough));
@@ -260,18 +265,33 @@ Result<Fairing> Levels::run() {
     if (auto measured = measure(); !measured) {
         return tl::unexpected(measured.error());
     }
-    Weights weights = schedule_.fine;
-    double least_energy = schedule_.least_energy;
-    if (!all_lines_.empty()) {
-        draw_lines();
-        if (auto measured = measure(); !measured) {
-            return tl::unexpected(measured.error());
-        }
-        weights = schedule_.fine_with_lines;
-        weights.jump = schedule_.jump;
-        least_energy = schedule_.least_energy_with_lines;
+    if (all_lines_.empty()) {
+        return schedule_.fine;
     }
-    const int levels = lines_.empty() ? schedule_.levels : schedule_.levels_with_lines;
+    draw_lines();
+    if (auto measured = measure(); !measured) {
+        return tl::unexpected(measured.error());
+    }
+    Weights weights = schedule_.fine_with_lines;
+    weights.jump = schedule_.jump;
+    return weights;
+}
+
+Result<void> Levels::solve_level(const Weights& weights) {
+    lay_on_surface(net_, scale_, hole_, domain_);
+    sample_densely();
+    solve(system(weights), lines_.empty() ? schedule_.fine_steps : schedule_.lined_steps);
+    return measure();
+}
+
+Result<Fairing> Levels::run() {
+    Result<Weights> weights = begin();
+    if (!weights) {
+        return tl::unexpected(weights.error());
+    }
+    const bool lined = !lines_.empty();
+    const int levels = lined ? schedule_.levels_with_lines : schedule_.levels;
+    double least_energy = lined ? schedule_.least_energy_with_lines : schedule_.least_energy;
     Best best = now();
     bool exhausted = false;
     for (int level = 1, idle = 0; level < levels && idle < patience(best); ++level) {
@@ -281,7 +301,7 @@ Result<Fairing> Levels::run() {
             break;
         }
         if (good && idle == 0) {
-            weights.jump *= schedule_.jump_factor;
+            weights->jump *= schedule_.jump_factor;
         } else if (!refine(good ? 0.0 : 1.0)) {
             break;
         }
@@ -289,20 +309,13 @@ Result<Fairing> Levels::run() {
         if (exhausted) {
             break;
         }
-        lay_on_surface(net_, scale_, hole_, domain_);
-        sample_densely();
-        solve(system(weights), lines_.empty() ? schedule_.fine_steps : schedule_.lined_steps);
-        if (auto measured = measure(); !measured) {
-            return tl::unexpected(measured.error());
+        if (auto solved = solve_level(*weights); !solved) {
+            return tl::unexpected(solved.error());
         }
-        const bool noisy =
-            level == 1 && !lines_.empty() && variation_ > schedule_.noisy * best.variation;
+        const bool noisy = lined && level == 1 && variation_ > schedule_.noisy * best.variation;
         if (noisy) {
             go_back_to(best);
-            if (auto measured = measure(); !measured) {
-                return tl::unexpected(measured.error());
-            }
-            weights.energy = schedule_.fine.energy;
+            weights->energy = schedule_.fine.energy;
             least_energy = schedule_.least_energy_of_noisy;
             continue;
         }
@@ -310,9 +323,13 @@ Result<Fairing> Levels::run() {
         if (better_than(best)) {
             best = now();
         }
-        weights.energy = std::max(schedule_.energy_factor * weights.energy, least_energy);
+        weights->energy = std::max(schedule_.energy_factor * weights->energy, least_energy);
     }
     go_back_to(best);
+    return finish(exhausted);
+}
+
+Result<Fairing> Levels::finish(bool exhausted) {
     settle_outside(polygons_of(measured_), net_);
     if (auto measured = measure(); !measured) {
         return tl::unexpected(measured.error());

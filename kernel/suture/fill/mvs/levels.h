@@ -40,11 +40,16 @@ class Levels {
     struct Best {
         Net net;
         Domain domain;
+        std::vector<Miss> misses;
         double missed_by = 0.0;
         double jump = 0.0;
         double variation = 0.0;
+        bool poor = false;
     };
 
+    [[nodiscard]] Result<Weights> begin();
+    [[nodiscard]] Result<void> solve_level(const Weights& weights);
+    [[nodiscard]] Result<Fairing> finish(bool exhausted);
     [[nodiscard]] Result<void> measure();
     [[nodiscard]] Result<void> expect_finite() const;
     [[nodiscard]] bool good_enough(double missed_by) const;
