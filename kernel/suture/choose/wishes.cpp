@@ -32,9 +32,6 @@ constexpr double kSteep = radians(45.0);
 /// faces that a translator has moved a little still are.
 constexpr double kSmoothCorner = radians(10.0);
 
-/// A border that leaves a neighbour's plane by less may be that of a facet, one of many in a skin.
-constexpr double kSharpBorder = radians(30.0);
-
 /// A neighbour whose cross tangent points further than this away from the middle of the hole
 /// leads away from it.
 constexpr double kAway = radians(65.0);
@@ -183,7 +180,7 @@ Wish automatic(const RibbonLoop& loop, std::size_t i, const Vector3d& centre, do
     }
     const double sharp = std::min(border_sharpness(ribbon.at(0.0), start.before.at(1.0)),
                                   border_sharpness(ribbon.at(1.0), end.after.at(0.0)));
-    if (sharp > kSharpBorder) {
+    if (sharp > kSmoothCorner) {
         return {Continuity::G0,
                 fmt::format("at both ends of it the border leaves the plane of face {} by {:.0f} "
                             "deg or more: no face within it is tangent there",
