@@ -3,7 +3,6 @@
 import os
 import resource
 import shutil
-import statistics
 import subprocess
 import tempfile
 import time
@@ -104,7 +103,7 @@ class SutureScript(unittest.TestCase):
         self.assertEqual(self.run_suture("demo", script=link).stdout, "/\n[demo]\n")
 
     def test_it_costs_less_than_30_ms(self):
-        """On the real checkout's files. Processor time: the machine is busy with other tests."""
+        """On the real checkout's files. The least processor time: other tests can only add to it."""
         for folder in ("kernel", "step_io", "cmake"):
             shutil.rmtree(self.root / folder)
             shutil.copytree(SOURCE / folder, self.root / folder)
@@ -116,16 +115,16 @@ class SutureScript(unittest.TestCase):
             usage = resource.getrusage(resource.RUSAGE_CHILDREN)
             return usage.ru_utime + usage.ru_stime
 
-        def median_cost(command):
+        def least_cost(command):
             costs = []
             for _ in range(21):
                 before = used()
                 subprocess.run([str(command)], check=True)
                 costs.append(used() - before)
-            return statistics.median(costs)
+            return min(costs)
 
         program = self.root / "build/release/bin/suture"
-        self.assertLess(median_cost(self.root / "suture") - median_cost(program), 0.030)
+        self.assertLess(least_cost(self.root / "suture") - least_cost(program), 0.030)
         self.assertEqual(self.builds(), ["run"])
 
 
