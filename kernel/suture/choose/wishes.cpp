@@ -1,8 +1,8 @@
 #include "suture/choose/wishes.h"
 
+#include "suture/choose/opening.h"
 #include "suture/fill/fill.h"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 
 #include <fmt/format.h>
@@ -16,8 +16,6 @@ namespace suture {
 namespace {
 
 using Eigen::Vector3d;
-
-constexpr int kSamples = 16;
 
 /// Out of flatness, as a fraction of the diameter, that still counts as a planar opening.
 constexpr double kPlanar = 1e-6;
@@ -47,85 +45,6 @@ constexpr double kSameCurvature = 0.01;
 
 /// A bend over the whole hole of less than this is no curvature, in radians.
 constexpr double kFlat = 1e-3;
-
-/// How far from the opening's plane a cross tangent still lies in it.
-constexpr double kInPlane = radians(1.0);
-
-/// The best plane through the hole's border, turned so that the border runs counterclockwise.
-struct Opening {
-    Vector3d centre = Vector3d::Zero();
-    Vector3d normal = Vector3d::UnitZ();
-    double height = 0.0;  ///< how far the border leaves the plane
-};
-
-/// Twice the area that the border encloses seen along the normal; islands count against it.
-double turned_area(const Hole& hole, const Opening& opening) {
-    double area = 0.0;
-    for (const RibbonLoop& loop : hole.loops) {
-        for (const Ribbon& ribbon : loop.ribbons) {
-            for (int k = 0; k < kSamples; ++k) {
-                const RibbonPoint p = ribbon.at((k + 0.5) / kSamples);
-                area += opening.normal.dot((p.point - opening.centre).cross(p.tangent)) / kSamples;
-            }
-        }
-    }
-    return area;
-}
-
-Opening opening_of(const Hole& hole) {
-    std::vector<Vector3d> points;
-    Opening opening;
-    for (const RibbonLoop& loop : hole.loops) {
-        for (const Ribbon& ribbon : loop.ribbons) {
-            for (int k = 0; k < kSamples; ++k) {
-                points.push_back(ribbon.at(static_cast<double>(k) / kSamples).point);
-                opening.centre += points.back();
-            }
-        }
-    }
-    opening.centre /= static_cast<double>(points.size());
-    Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
-    for (const Vector3d& p : points) {
-        covariance += (p - opening.centre) * (p - opening.centre).transpose();
-    }
-    opening.normal =
-        Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(covariance).eigenvectors().col(0);
-    for (const Vector3d& p : points) {
-        opening.height = std::max(opening.height, std::abs(opening.normal.dot(p - opening.centre)));
-    }
-    if (turned_area(hole, opening) < 0.0) {
-        opening.normal = -opening.normal;
-    }
-    return opening;
-}
-
-/// Whether the neighbour lies in the opening itself: a face that continued it would leave the hole
-/// across its own border.
-bool lies_in_opening(const Ribbon& ribbon, const Opening& opening) {
-    for (int k = 0; k < kSamples; ++k) {
-        const RibbonPoint p = ribbon.at((k + 0.5) / kSamples);
-        const Vector3d into = opening.normal.cross(p.tangent).normalized();
-        if (into.dot(p.inward.normalized()) > -std::cos(kInPlane)) {
-            return false;
-        }
-    }
-    return true;
-}
-
-/// Angle between a cross tangent and the opening's plane.
-double steepness_of(const Vector3d& inward, const Opening& opening) {
-    return std::asin(std::min(1.0, std::abs(opening.normal.dot(inward.normalized()))));
-}
-
-/// The smallest and the largest angle between a side's cross tangents and the opening's plane.
-std::pair<double, double> steepness_along(const Ribbon& ribbon, const Opening& opening) {
-    std::pair<double, double> steepness(kPi / 2.0, 0.0);
-    for (int k = 0; k < kSamples; ++k) {
-        const double steep = steepness_of(ribbon.at((k + 0.5) / kSamples).inward, opening);
-        steepness = {std::min(steepness.first, steep), std::max(steepness.second, steep)};
-    }
-    return steepness;
-}
 
 /// Side by side, in the order of the loops.
 template <class Predicate>
@@ -198,6 +117,17 @@ std::string curvature_conflict(const Joint& joint, double diameter) {
                        100.0 * std::min(1.0, difference / largest));
 }
 
+/// By how much any face with this border is sharp to the side's neighbour where the side meets the
+/// next one: both border curves lie in its tangent plane there, and the next one leaves the
+/// neighbour's. Nothing where the curves run into each other, for then they span no plane.
+double border_sharpness(const RibbonPoint& own, const RibbonPoint& next) {
+    const double across = own.tangent.normalized().cross(next.tangent.normalized()).norm();
+    if (across < std::sin(kSmoothCorner)) {
+        return 0.0;
+    }
+    return std::asin(std::min(1.0, std::abs(own.normal.dot(next.tangent.normalized())) / across));
+}
+
 Wish automatic(const RibbonLoop& loop, std::size_t i, const Vector3d& centre, double diameter,
                bool curvature) {
     const std::size_t n = loop.ribbons.size();
@@ -212,6 +142,14 @@ Wish automatic(const RibbonLoop& loop, std::size_t i, const Vector3d& centre, do
                 fmt::format("face {} leads away from the hole by {:.0f} deg and meets its "
                             "neighbours at {:.0f} deg",
                             ribbon.face, degrees(away), degrees(worst))};
+    }
+    const double sharp = std::min(border_sharpness(ribbon.at(0.0), start.before.at(1.0)),
+                                  border_sharpness(ribbon.at(1.0), end.after.at(0.0)));
+    if (sharp > kSmoothCorner) {
+        return {Continuity::G0,
+                fmt::format("at both ends of it the border leaves the plane of face {} by {:.0f} "
+                            "deg or more: no face within it is tangent there",
+                            ribbon.face, degrees(sharp))};
     }
     if (!curvature) {
         return {Continuity::G1, "auto: tangent to the neighbour", /*hoped=*/false, /*own=*/true};

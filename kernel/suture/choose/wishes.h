@@ -32,7 +32,10 @@ struct Wish {
 ///    box without a lid): a tangent fill would be a dome that nobody drew;
 ///  - along a side whose neighbour lies in a planar opening itself;
 ///  - everywhere, if the method joins in position only;
-///  - along a side whose neighbour leads away from the hole while its corners are not smooth.
+///  - along a side whose neighbour leads away from the hole while its corners are not smooth;
+///  - along a side at both of whose ends the border itself leaves the neighbour's plane by more
+///  than
+///    10 degrees: no face within that border is tangent there.
 [[nodiscard]] std::vector<Wish> wishes_for(const Hole& hole, const FillRequest& request);
 
 /// Which sides' neighbours stand on the best plane through the border at more than 45 degrees

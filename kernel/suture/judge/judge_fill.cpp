@@ -303,7 +303,9 @@ class Judge {
     }
 
     void given_up(const AskedSide& side, const EdgeContinuity& edge) {
-        if (side.given_up && !side.wall) {
+        // What is sharp all along a surface that was recognised was so by design.
+        const bool by_design = asked_.recognised && edge.min_angle > sharp();
+        if (side.given_up && !side.wall && !by_design) {
             Finding finding =
                 make(FindingKind::TangencyGivenUp, edge.max_angle, asked_.tolerance.angular);
             finding.edge = side.edge;

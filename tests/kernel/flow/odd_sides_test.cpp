@@ -7,6 +7,7 @@
 #include <BRep_Builder.hxx>
 #include <TopoDS_Compound.hxx>
 
+#include <array>
 #include <cmath>
 #include <string>
 
@@ -15,14 +16,14 @@ namespace {
 
 constexpr int kSides = 6;
 
-/// Six plates around a hexagon of this radius, one of which is tilted about its edge of the
-/// hexagon, the first edge of each face.
-TopoDS_Compound plates(double radius, double tilt) {
+/// Six plates around a hexagon of this radius, tilted about their edges of the hexagon, the first
+/// edge of each face.
+TopoDS_Compound plates(double radius, const std::array<double, kSides>& tilts) {
     const BRep_Builder builder;
     TopoDS_Compound compound;
     builder.MakeCompound(compound);
     for (int k = 0; k < kSides; ++k) {
-        const double down = k == 2 ? std::tan(tilt) : 0.0;
+        const double down = std::tan(tilts[static_cast<std::size_t>(k)]);
         const auto corner = [&](int i, double r) {
             const double angle = 2.0 * kPi * i / kSides;
             // The outer edge lies so far from the inner one as the circles' sagittas say.
@@ -37,14 +38,25 @@ TopoDS_Compound plates(double radius, double tilt) {
     return compound;
 }
 
+std::array<double, kSides> all(double tilt) {
+    std::array<double, kSides> tilts{};
+    tilts.fill(tilt);
+    return tilts;
+}
+
+FillRequest of_the_hexagon() {
+    FillRequest request;
+    request.boundaries.resize(1);
+    for (int k = 0; k < kSides; ++k) {
+        request.boundaries.front().push_back(4 * k + 1);
+    }
+    return request;
+}
+
 TEST(OddSides, GiveTangencyUpWhereTheOthersGain) {
     for (const double radius : {1e-2, 1e4}) {
-        const TopoDS_Compound open = plates(radius, radians(1.5));
-        FillRequest request;
-        for (int k = 0; k < kSides; ++k) {
-            request.boundaries.resize(1);
-            request.boundaries.front().push_back(4 * k + 1);
-        }
+        const TopoDS_Compound open = plates(radius, {0.0, 0.0, radians(1.5), 0.0, 0.0, 0.0});
+        const FillRequest request = of_the_hexagon();
         const auto outcome = fill_holes(open, occ::Numbering(open), request);
         ASSERT_TRUE(outcome) << outcome.error().message;
         const HoleReport& hole = outcome->holes.front();
@@ -57,6 +69,26 @@ TEST(OddSides, GiveTangencyUpWhereTheOthersGain) {
             EXPECT_EQ(side.reason.find("at both ends") != std::string::npos, odd) << side.reason;
         }
         EXPECT_FALSE(hole.verdict.within());
+    }
+}
+
+TEST(SharpBorder, IsFilledByAFaceThatIsGoodInPosition) {
+    for (const double radius : {1e-2, 1e4}) {
+        for (const double tilt : {20.0, -30.0}) {
+            const TopoDS_Compound open = plates(radius, all(radians(tilt)));
+            const auto outcome = fill_holes(open, occ::Numbering(open), of_the_hexagon());
+            ASSERT_TRUE(outcome) << outcome.error().message;
+            const HoleReport& hole = outcome->holes.front();
+            ASSERT_EQ(hole.status, FillStatus::Filled) << hole.reason;
+            EXPECT_EQ(hole.method_used, "plane");
+            EXPECT_TRUE(hole.verdict.within()) << to_text(hole.verdict.findings.front());
+            for (const SideReport& side : hole.sides) {
+                EXPECT_EQ(side.requested, Continuity::G0);
+                EXPECT_NEAR(degrees(side.angle), std::abs(tilt), 1e-6);
+                EXPECT_NE(side.reason.find("the border leaves the plane"), std::string::npos)
+                    << side.reason;
+            }
+        }
     }
 }
 

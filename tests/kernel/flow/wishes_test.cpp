@@ -262,5 +262,54 @@ TEST(OddSides, AreThoseWhoseNormalsAreNotTheOthersAtBothEnds) {
     EXPECT_EQ(odd_sides(turned({3}, radians(0.005)), kAngle), std::vector<bool>(5, false));
 }
 
+/// A pentagon in a plane, whose neighbour along side 3 is turned out of it by an angle.
+Hole pentagon_with_a_tilted_side(double scale, double angle) {
+    constexpr int kSides = 5;
+    const Frame frame = tilted(scale);
+    const auto corner = [&](int i) -> Eigen::Vector3d {
+        const double turn = 2.0 * kPi * i / kSides;
+        return frame.origin + 3.0 * scale * (std::cos(turn) * frame.x + std::sin(turn) * frame.y);
+    };
+    Hole hole;
+    auto& loop = hole.loops.emplace_back();
+    for (int side = 0; side < kSides; ++side) {
+        const Eigen::Vector3d a = corner(side);
+        const Eigen::Vector3d d = corner(side + 1) - a;
+        const Eigen::AngleAxisd turn(side == 3 ? angle : 0.0, d.normalized());
+        const Eigen::Vector3d normal = turn * frame.z;
+        Ribbon ribbon;
+        ribbon.edge = ribbon.face = side + 1;
+        ribbon.at = [=](double s) {
+            return RibbonPoint{a + s * d, d, normal, normal.cross(d).normalized(),
+                               Eigen::Matrix3d::Zero()};
+        };
+        loop.ribbons.push_back(ribbon);
+    }
+    hole.diameter = windows::diameter_of(hole);
+    return hole;
+}
+
+TEST(WishesFor, AsksForPositionWhereTheBorderItselfIsSharp) {
+    for (const double scale : {1e-3, 1.0, 1e3}) {
+        for (const double angle : {radians(12.0), -radians(40.0), radians(60.0)}) {
+            const auto wishes = wishes_for(pentagon_with_a_tilted_side(scale, angle), {});
+            for (std::size_t i = 0; i < wishes.size(); ++i) {
+                EXPECT_EQ(wishes[i].continuity == Continuity::G0, i == 3) << wishes[i].reason;
+            }
+            EXPECT_NE(wishes[3].reason.find("no face within it is tangent"), std::string::npos)
+                << wishes[3].reason;
+            EXPECT_FALSE(wishes[3].given_up);
+        }
+        for (const Wish& wish : wishes_for(pentagon_with_a_tilted_side(scale, radians(8.0)), {})) {
+            EXPECT_GE(wish.continuity, Continuity::G1) << wish.reason;
+        }
+    }
+    FillRequest asked;
+    asked.continuity = Continuity::G1;
+    for (const Wish& wish : wishes_for(pentagon_with_a_tilted_side(1.0, radians(40.0)), asked)) {
+        EXPECT_EQ(wish.continuity, Continuity::G1);
+    }
+}
+
 }  // namespace
 }  // namespace suture

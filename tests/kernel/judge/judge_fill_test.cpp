@@ -189,6 +189,21 @@ TEST(JudgeFill, JudgesGivenUpTangencyUnlessItWasAWall) {
     EXPECT_TRUE(fill.judgement().within());
 }
 
+TEST(JudgeFill, HoldsNoSharpEdgeAgainstASurfaceThatWasRecognised) {
+    Fill fill;
+    fill.asked.sides[0].continuity = Continuity::G0;
+    fill.asked.sides[0].given_up = true;
+    fill.measures.sides[0].max_angle = radians(105.0);
+    fill.measures.sides[0].min_angle = radians(90.0);
+    EXPECT_EQ(fill.judgement().severity, Severity::Poor);
+    fill.asked.recognised = true;
+    EXPECT_TRUE(fill.judgement().within());
+    fill.measures.sides[0].min_angle = radians(4.0);
+    EXPECT_EQ(fill.only().kind, FindingKind::TangencyGivenUp);
+    fill.asked.sides[0].continuity = Continuity::G1;
+    EXPECT_EQ(fill.only().severity, Severity::Bad);
+}
+
 TEST(JudgeFill, CallsFoldsClashesAndDoubleFacesBad) {
     Fill folded;
     folded.measures.folds.push_back({});

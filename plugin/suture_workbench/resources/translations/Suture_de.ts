@@ -2336,6 +2336,11 @@ oder installieren oder angeben, wo es ist: Bearbeiten &gt; Einstellungen &gt; Su
     </message>
     <message>
       <location filename="program.txt" />
+      <source>at both ends of it the border leaves the plane of face {0} by {1} deg or more: no face within it is tangent there</source>
+      <translation>An beiden Enden der Seite verlässt der Rand die Ebene von Face{0} um {1}° oder mehr: keine Fläche darin ist dort tangential</translation>
+    </message>
+    <message>
+      <location filename="program.txt" />
       <source>the neighbours stand on the opening at {0} deg or more, as walls do</source>
       <translation>die Nachbarn stehen unter {0}° oder mehr auf der Öffnung, wie Wände</translation>
     </message>
