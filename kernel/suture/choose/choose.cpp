@@ -17,7 +17,8 @@ using Clock = std::chrono::steady_clock;
 Hole with_own_wishes_given_up(Hole hole, const FillRequest& request) {
     for (RibbonLoop& loop : hole.loops) {
         for (Ribbon& ribbon : loop.ribbons) {
-            if (!request.continuity && !request.edge_continuity.contains(ribbon.edge)) {
+            if (!request.continuity && !request.edge_continuity.contains(ribbon.edge) &&
+                !request.supports.contains(ribbon.edge)) {
                 ribbon.continuity = Continuity::G0;
             }
         }
@@ -185,6 +186,7 @@ class Contest {
         const auto start = Clock::now();
         Choice choice;
         choice.method = attempt.name;
+        choice.relaxed = attempt.last_resort;
         auto fill = attempt.fill(choice.recognised, passed_over);
         seconds_ += std::chrono::duration<double>(Clock::now() - start).count();
         if (!fill) {

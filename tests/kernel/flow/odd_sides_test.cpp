@@ -92,5 +92,23 @@ TEST(SharpBorder, IsFilledByAFaceThatIsGoodInPosition) {
     }
 }
 
+TEST(LastResort, TellsTheTangencyThatOcctsFillingGivesUp) {
+    const TopoDS_Compound open = plates(10.0, all(radians(4.0)));
+    FillRequest request = of_the_hexagon();
+    request.spoilt[kSides + 1] = {"extend", "recognise", "plane", "mvs", "quad", "tube", "occt"};
+    const auto outcome = fill_holes(open, occ::Numbering(open), request);
+    ASSERT_TRUE(outcome) << outcome.error().message;
+    const HoleReport& hole = outcome->holes.front();
+    ASSERT_EQ(hole.status, FillStatus::Filled) << hole.reason;
+    EXPECT_EQ(hole.method_used, "occt (position only)");
+    for (const SideReport& side : hole.sides) {
+        EXPECT_EQ(side.requested, Continuity::G0);
+        EXPECT_NE(side.reason.find("tangency was tried"), std::string::npos) << side.reason;
+    }
+    ASSERT_FALSE(hole.verdict.findings.empty());
+    EXPECT_EQ(hole.verdict.findings.front().kind, FindingKind::TangencyGivenUp);
+    EXPECT_NEAR(degrees(hole.verdict.findings.front().value), 4.0, 0.1);
+}
+
 }  // namespace
 }  // namespace suture
