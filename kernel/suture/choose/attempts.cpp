@@ -44,7 +44,7 @@ bool left_out(const FillMethod& method, const Hole& hole, const FillRequest& req
             return !request.recognise;
         case AutoUse::Bridging:
             return !request.connect;
-        case AutoUse::NearMiss:
+        case AutoUse::Improving:
             return request.effort == Effort::Quick || position_only(hole) ||
                    (wants_curvature(hole) && method.highest < Continuity::G2);
         case AutoUse::Never:
@@ -87,11 +87,11 @@ std::vector<Attempt> attempts_for(const Site& site, const Hole& hole, const Fill
                      own.recognised = [&](const Recognised& what) { found = what; };
                      return method.fill(hole, own);
                  },
-                 /*closer=*/automatic && method.in_auto == AutoUse::NearMiss});
+                 /*improving=*/automatic && method.in_auto == AutoUse::Improving});
         }
     }
     std::stable_partition(attempts.begin(), attempts.end(),
-                          [](const Attempt& attempt) { return !attempt.closer; });
+                          [](const Attempt& attempt) { return !attempt.improving; });
     if (automatic && position_only(hole)) {
         // A lid, not the ball or the tip that a rim could also belong to.
         std::stable_partition(attempts.begin(), attempts.end(),
@@ -104,7 +104,7 @@ std::vector<Attempt> attempts_for(const Site& site, const Hole& hole, const Fill
                  return fill_with_plate(site.loops, relaxed ? without_tangency(hole) : hole,
                                         setting, request.plate_limit, request.progress);
              },
-             /*closer=*/false, /*slow=*/true,
+             /*improving=*/false, /*slow=*/true,
              /*last_resort=*/automatic && relaxed});
     };
     if (automatic) {

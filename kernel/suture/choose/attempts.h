@@ -22,7 +22,7 @@ struct Attempt {
     ///
     /// Input    passed_over: so many of the surfaces that are recognised turned out to be bad.
     std::function<Result<FillResult>(std::optional<Recognised>&, int passed_over)> fill;
-    bool closer = false;       ///< for a hole that the others miss by a little
+    bool improving = false;    ///< costly: where a fill is usable but none within tolerance
     bool slow = false;         ///< OCCT's filling
     bool last_resort = false;  ///< position only, where nothing else is worth taking
 };

@@ -47,7 +47,7 @@ constexpr double kNear = 30.0;
 /// Whether an attempt can be better than the best so far, and may take its time.
 bool worthwhile(const Attempt& attempt, const std::optional<Choice>& best, bool automatic) {
     const bool usable = best && best->verdict.severity != Severity::Bad;
-    return !(attempt.closer && !usable) && !(attempt.last_resort && usable) &&
+    return !(attempt.improving && !usable) && !(attempt.last_resort && usable) &&
            !(attempt.slow && automatic && best && best->near());
 }
 
@@ -126,7 +126,7 @@ class Contest {
             verdicts_.push_back(earlier.error().message);
         }
         return contest([&](const Attempt& attempt) {
-            return left == Left::Slow ? attempt.slow : attempt.closer;
+            return left == Left::Slow ? attempt.slow : attempt.improving;
         });
     }
 

@@ -51,8 +51,8 @@ enum class Tries {
 
 /// What is left to be tried for a hole.
 enum class Left {
-    Closer,  ///< methods for a hole that the others miss by a little
-    Slow     ///< OCCT's filling
+    Improving,  ///< costly methods, where a fill is usable but none within tolerance
+    Slow        ///< OCCT's filling
 };
 
 /// The same for a hole for which choose_fill with Tries::Own gave this.

@@ -93,7 +93,8 @@ void relax(const std::vector<bool>& sides, const std::string& why, Hole& hole,
 bool does_without_tangency(const std::string& method) {
     const auto rows = fill_methods();
     return method == "auto" || std::any_of(rows.begin(), rows.end(), [&](const FillMethod& row) {
-               const bool taken = row.in_auto != AutoUse::NearMiss && row.in_auto != AutoUse::Never;
+               const bool taken =
+                   row.in_auto != AutoUse::Improving && row.in_auto != AutoUse::Never;
                return taken && row.id == method;
            });
 }
@@ -148,9 +149,9 @@ Result<Choice> choose_tangent(const Site& site, Hole& hole, std::vector<Wish>& w
     if (!ours || !does_without_tangency(request.method)) {
         return choose_fill(site, hole, request, tolerance);
     }
-    auto tangent =
-        earlier ? choose_further(site, hole, request, tolerance, *std::move(earlier), Left::Closer)
-                : choose_fill(site, hole, request, tolerance, Tries::Own);
+    auto tangent = earlier ? choose_further(site, hole, request, tolerance, *std::move(earlier),
+                                            Left::Improving)
+                           : choose_fill(site, hole, request, tolerance, Tries::Own);
     const bool shaped = is_shaped(tangent);
     const std::vector<bool> sharp = sharp_sides(hole, wishes, tangent);
     if (!tangent && tangent.error().code == ErrorCode::Cancelled) {

@@ -62,7 +62,7 @@ enum class AutoUse {
     /// Where edges are to be connected: between the rims of a hole it would bulge where the lost
     /// face met them sharply.
     Bridging,
-    NearMiss,  ///< where the others miss by a little: it comes nearer, with more poles and time
+    Improving,  ///< where a fill is usable but none within tolerance: nearer, with more poles
     Never
 };
 

@@ -48,7 +48,7 @@ std::span<const FillMethod> fill_methods() {
                    AutoUse::Never},
         FillMethod{"tube", "A tube around the hole that closes in a point, as one face",
                    "Szilvasi-Nagy, Filling holes with B-spline surfaces, 2002", "1 loop",
-                   Continuity::G1, &fill_tube, kTubeOptions, AutoUse::NearMiss},
+                   Continuity::G1, &fill_tube, kTubeOptions, AutoUse::Improving},
         FillMethod{"manifold", "C^k patch of a star-shaped net, B-spline along its border",
                    "Cotrina-Navau, Pla-Garcia & Vigo-Anglada, N-sided patches with B-spline "
                    "boundaries, 2001",
