@@ -224,22 +224,30 @@ Result<Choice> choose_smoothest(const Site& site, Hole& hole, std::vector<Wish>&
                               : "auto: continuous curvature was tried: " + smooth.error().message;
         }
     });
-    if (smooth) {
+    const auto within = [&](Choice& choice) {
         AskedFill asked = asked_of(site.loops, hole, wishes, tolerance);
-        account_for(smooth->fill, smooth->recognised.has_value(), smooth->twin, asked);
-        smooth->verdict = judge_fill(asked, smooth->measures);
-        if (smooth->verdict.within()) {
-            return smooth;
-        }
+        account_for(choice.fill, choice.recognised.has_value(), choice.twin, asked);
+        choice.verdict = judge_fill(asked, choice.measures);
+        return choice.verdict.within();
+    };
+    if (smooth && within(*smooth)) {
+        return smooth;
     }
     for_each_side(hole, [&](Ribbon& ribbon, std::size_t i) {
         if (wishes[i].hoped && wishes[i].continuity == Continuity::G2) {
             wishes[i].continuity = ribbon.continuity = Continuity::G1;
-            wishes[i].reason = "auto: with continuous curvature gap or angle are out of tolerance";
+            wishes[i].reason =
+                "auto: with continuous curvature gap, angle or the face inside are out of "
+                "tolerance";
         }
     });
     if (smooth && smooth->method == "mvs") {
-        // It has given up what cost gap or angle, and would do the same again.
+        // It has given up what cost gap or angle, and would do the same again. What was out of
+        // tolerance may have been the curvature across its own knot lines, which nobody asks for
+        // now.
+        if (within(*smooth)) {
+            return smooth;
+        }
         return choose_tangent(site, hole, wishes, request, tolerance, *std::move(smooth));
     }
     auto choice = choose_tangent(site, hole, wishes, request, tolerance);

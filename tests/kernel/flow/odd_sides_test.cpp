@@ -4,9 +4,13 @@
 
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepBuilderAPI_MakePolygon.hxx>
+#include <BRepBuilderAPI_Sewing.hxx>
+#include <BRepPrimAPI_MakeCylinder.hxx>
+#include <BRepPrimAPI_MakeSphere.hxx>
 #include <BRep_Builder.hxx>
 #include <TopoDS_Compound.hxx>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <string>
@@ -90,6 +94,35 @@ TEST(SharpBorder, IsFilledByAFaceThatIsGoodInPosition) {
             }
         }
     }
+}
+
+/// A tube ten times as long as wide with a round nose, of which a quarter is missing.
+TopoDS_Shape tube_with_a_nose() {
+    constexpr double kRadius = 5.0;
+    constexpr double kLength = 46.0;
+    constexpr double kKept = 1.5 * kPi;
+    const gp_Ax2 foot(gp_Pnt(0, 0, -3), gp::DZ());
+    const gp_Ax2 turned(foot.Location(), gp::DZ(), gp_Dir(0, -1, 0));
+    const gp_Ax2 end(gp_Pnt(0, 0, kLength), gp::DZ());
+    BRepBuilderAPI_Sewing sewing(1e-6);
+    sewing.Add(BRepPrimAPI_MakeCylinder(foot, kRadius, 3.0, kKept).Cylinder().LateralFace());
+    sewing.Add(BRepPrimAPI_MakeCylinder(turned, kRadius, 3.0, kPi / 2.0).Cylinder().LateralFace());
+    sewing.Add(
+        BRepPrimAPI_MakeCylinder(gp::XOY(), kRadius, kLength, kKept).Cylinder().LateralFace());
+    sewing.Add(BRepPrimAPI_MakeSphere(end, kRadius, 0.0, kPi / 2.0, kKept).Sphere().LateralFace());
+    sewing.Perform();
+    return sewing.SewedShape();
+}
+
+TEST(HopesGivenUp, CountNoMoreInsideTheFace) {
+    const TopoDS_Shape open = tube_with_a_nose();
+    const auto outcome = fill_holes(open, occ::Numbering(open), {});
+    ASSERT_TRUE(outcome) << outcome.error().message;
+    const HoleReport& hole = *std::ranges::max_element(
+        outcome->holes, {}, [](const HoleReport& report) { return report.sides.size(); });
+    ASSERT_EQ(hole.status, FillStatus::Filled) << hole.reason;
+    EXPECT_EQ(hole.method_used, "mvs");
+    EXPECT_TRUE(hole.verdict.within()) << to_text(hole.verdict.findings.front());
 }
 
 TEST(LastResort, TellsTheTangencyThatOcctsFillingGivesUp) {

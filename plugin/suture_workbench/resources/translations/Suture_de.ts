@@ -2281,8 +2281,8 @@ oder installieren oder angeben, wo es ist: Bearbeiten &gt; Einstellungen &gt; Su
     </message>
     <message>
       <location filename="program.txt" />
-      <source>auto: with continuous curvature gap or angle are out of tolerance</source>
-      <translation>auto: mit stetiger Krümmung sind Spalt oder Winkel außer Toleranz</translation>
+      <source>auto: with continuous curvature gap, angle or the face inside are out of tolerance</source>
+      <translation>auto: mit stetiger Krümmung sind Spalt, Winkel oder das Innere der Fläche außer Toleranz</translation>
     </message>
     <message>
       <location filename="program.txt" />
