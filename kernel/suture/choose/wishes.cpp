@@ -43,6 +43,9 @@ constexpr double kSameNormal = radians(0.1);
 /// what the default profile calls G2.
 constexpr double kSameCurvature = 0.01;
 
+/// Sides within the tolerance are steps in a border if they make up no more of it than this.
+constexpr double kStepShare = 0.01;
+
 /// A bend over the whole hole of less than this is no curvature, in radians.
 constexpr double kFlat = 1e-3;
 
@@ -58,13 +61,45 @@ std::vector<bool> sides_where(const Hole& hole, Predicate&& holds) {
     return sides;
 }
 
-/// The smallest angle between a cross tangent and the opening's plane, of the sides whose
-/// neighbours do not lie in it.
-double least_steepness(const Hole& hole, const Opening& opening) {
+/// Length of the polygon through a few points of a side, model units.
+double length_of(const Ribbon& ribbon) {
+    constexpr int kChords = 8;
+    double length = 0.0;
+    Vector3d before = ribbon.at(0.0).point;
+    for (int k = 1; k <= kChords; ++k) {
+        const Vector3d point = ribbon.at(static_cast<double>(k) / kChords).point;
+        length += (point - before).norm();
+        before = point;
+    }
+    return length;
+}
+
+/// Which sides are steps within the tolerance in a border that is otherwise much longer: where they
+/// lead, and so their cross tangents, tells nothing of the opening.
+std::vector<bool> steps_in(const Hole& hole, double tolerance) {
+    double border = 0.0;
+    double steps = 0.0;
+    std::vector<bool> small = sides_where(hole, [&](const Ribbon& ribbon) {
+        const double length = length_of(ribbon);
+        border += length;
+        steps += length <= tolerance ? length : 0.0;
+        return length <= tolerance;
+    });
+    if (steps > kStepShare * border) {
+        small.assign(small.size(), false);
+    }
+    return small;
+}
+
+/// The smallest angle between a cross tangent and the opening's plane, of the sides that are no
+/// steps and whose neighbours do not lie in it.
+double least_steepness(const Hole& hole, const Opening& opening, double tolerance) {
+    const std::vector<bool> steps = steps_in(hole, tolerance);
     double least = kPi / 2.0;
+    std::size_t side = 0;
     for (const RibbonLoop& loop : hole.loops) {
         for (const Ribbon& ribbon : loop.ribbons) {
-            if (is_free(ribbon) || lies_in_opening(ribbon, opening)) {
+            if (steps[side++] || is_free(ribbon) || lies_in_opening(ribbon, opening)) {
                 continue;
             }
             least = std::min(least, steepness_along(ribbon, opening).first);
@@ -217,7 +252,8 @@ std::vector<Wish> wishes_for(const Hole& hole, const FillRequest& request) {
     const Opening opening = opening_of(hole);
     const bool planar = opening.height <= kPlanar * hole.diameter;
     const bool shallow = opening.height <= kShallow * hole.diameter;
-    const double steepness = shallow ? least_steepness(hole, opening) : 0.0;
+    const double steepness =
+        shallow ? least_steepness(hole, opening, request.tolerance.linear) : 0.0;
     const Continuity highest = highest_of(request.method);
     std::vector<Wish> wishes;
     for (const RibbonLoop& loop : hole.loops) {

@@ -29,7 +29,8 @@ struct Wish {
 /// if the method can and the neighbours agree in normal and curvature at both ends of the side,
 /// otherwise G1, but G0
 ///  - all around an opening on whose best plane all neighbours stand steeply (the end of a duct, a
-///    box without a lid): a tangent fill would be a dome that nobody drew;
+///    box without a lid): a tangent fill would be a dome that nobody drew; steps in the border, of
+///    sides no longer than the tolerance, do not count;
 ///  - along a side whose neighbour lies in a planar opening itself;
 ///  - everywhere, if the method joins in position only;
 ///  - along a side whose neighbour leads away from the hole while its corners are not smooth;

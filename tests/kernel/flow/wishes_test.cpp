@@ -4,6 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <vector>
+
 namespace suture {
 namespace {
 
@@ -36,6 +39,59 @@ TEST(WishesFor, AsksForAFlatCapOnADuct) {
             EXPECT_NE(wish.reason.find("90 deg"), std::string::npos) << wish.reason;
         }
     }
+}
+
+/// The square end of a duct whose border steps along the walls, by `step`, at the middles of two
+/// opposite walls: down on one and up again on the other.
+Hole duct_with_steps(double scale, double step) {
+    const Frame frame = tilted(scale);
+    struct Place {
+        double x, y, z;
+    };
+    const std::vector<Place> corners{{-2, -2, 0},  {0, -2, 0},   {0, -2, step}, {2, -2, step},
+                                     {2, 2, step}, {0, 2, step}, {0, 2, 0},     {-2, 2, 0}};
+    const std::vector<Eigen::Vector2d> outward{{0, -1}, {0, -1}, {0, -1}, {1, 0},
+                                               {0, 1},  {0, 1},  {0, 1},  {-1, 0}};
+    const auto at = [&](const Place& p) -> Eigen::Vector3d {
+        return frame.origin + scale * (p.x * frame.x + p.y * frame.y) + p.z * frame.z;
+    };
+    Hole hole;
+    auto& loop = hole.loops.emplace_back();
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        const Eigen::Vector3d from = at(corners[i]);
+        const Eigen::Vector3d along = at(corners[(i + 1) % corners.size()]) - from;
+        const Eigen::Vector3d normal = outward[i].x() * frame.x + outward[i].y() * frame.y;
+        Ribbon r;
+        r.edge = r.face = static_cast<int>(i) + 1;
+        r.at = [from, along, normal](double s) {
+            return RibbonPoint{from + s * along, along, normal, normal.cross(along.normalized()),
+                               Eigen::Matrix3d::Zero()};
+        };
+        loop.ribbons.push_back(r);
+    }
+    hole.diameter = windows::diameter_of(hole);
+    return hole;
+}
+
+TEST(WishesFor, AsksForAFlatCapOnADuctWhoseBorderHasSteps) {
+    for (const double scale : {1.0, 1e3}) {
+        const FillRequest request;
+        const double tolerance = request.tolerance.linear;
+        for (const Wish& wish : wishes_for(duct_with_steps(scale, 0.4 * tolerance), request)) {
+            EXPECT_EQ(wish.continuity, Continuity::G0) << wish.reason;
+            EXPECT_FALSE(wish.own);
+        }
+        // A longer side is one of the border's own, which no cap is drawn over.
+        const auto wishes = wishes_for(duct_with_steps(scale, 3.0 * tolerance), request);
+        EXPECT_TRUE(std::ranges::any_of(wishes, &Wish::own));
+    }
+}
+
+/// Where all sides are no longer than the tolerance they are no steps: the model is small.
+TEST(WishesFor, TakesTheSidesOfASmallHoleForWhatTheyAre) {
+    FillRequest request;
+    request.tolerance.linear = 10.0;
+    EXPECT_TRUE(std::ranges::any_of(wishes_for(duct_with_steps(1.0, 0.03), request), &Wish::own));
 }
 
 TEST(WishesFor, HopesForCurvatureInASkinIfTheMethodHasIt) {
