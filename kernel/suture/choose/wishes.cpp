@@ -184,7 +184,12 @@ Wish automatic(const RibbonLoop& loop, std::size_t i, const Vector3d& centre, do
         return {Continuity::G0,
                 fmt::format("at both ends of it the border leaves the plane of face {} by {:.0f} "
                             "deg or more: no face within it is tangent there",
-                            ribbon.face, degrees(sharp))};
+                            ribbon.face, degrees(sharp)),
+                /*hoped=*/false,
+                /*own=*/false,
+                /*given_up=*/false,
+                /*wall=*/false,
+                /*sharp=*/true};
     }
     if (!curvature) {
         return {Continuity::G1, "auto: tangent to the neighbour", /*hoped=*/false, /*own=*/true};

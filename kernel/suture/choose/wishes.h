@@ -16,6 +16,7 @@ struct Wish {
     bool own = false;    ///< G1 or G2 by our own choice: position will do where no fill is tangent
     bool given_up = false;  ///< position, because no fill was found that is tangent there
     bool wall = false;      ///< given up where the neighbour stands on the opening like a wall
+    bool sharp = false;     ///< position, because no face with this border is tangent there
 };
 
 /// Whether a side is a curve alone: the new face ends there, and nothing but its place is given.
@@ -35,8 +36,7 @@ struct Wish {
 ///  - everywhere, if the method joins in position only;
 ///  - along a side whose neighbour leads away from the hole while its corners are not smooth;
 ///  - along a side at both of whose ends the border itself leaves the neighbour's plane by more
-///  than
-///    10 degrees: no face within that border is tangent there.
+///    than 10 degrees: no face within that border is tangent there.
 [[nodiscard]] std::vector<Wish> wishes_for(const Hole& hole, const FillRequest& request);
 
 /// Which sides' neighbours stand on the best plane through the border at more than 45 degrees

@@ -96,7 +96,9 @@ HolePlan plan_of(const TopoDS_Shape& shape, const occ::Numbering& numbering,
         }
         plan.wishes = wishes_for(*plan.hole, request);
         ask(*plan.hole, plan.wishes);
-        if (std::ranges::all_of(plan.wishes, &Wish::own) && are_facets(*plan.hole, loops)) {
+        // Borders between facets leave their planes; what they mean is smooth all the same.
+        const auto ours = [](const Wish& wish) { return wish.own || wish.sharp; };
+        if (std::ranges::all_of(plan.wishes, ours) && are_facets(*plan.hole, loops)) {
             ask_to_follow_facets(shape, plan);
         }
         if (request.recognise) {

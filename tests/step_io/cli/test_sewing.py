@@ -82,8 +82,8 @@ class Sewing(Case):
         self.assertEqual([h["kind"] for h in document["holes"]], ["rim"])
 
     def test_band_between_two_coaxial_rims_is_a_cylinder(self):
-        # Its cones meet it at 105 degrees, as in the lost body: tangency there is given up.
-        document, shape = self.filled("detect/coaxial_band.step", code=OUT_OF_TOLERANCE)
+        # Its cones meet it at 105 degrees, as in the lost body.
+        document, shape = self.filled("detect/coaxial_band.step")
         (hole,) = [h for h in document["holes"] if h["status"] == "filled"]
         self.assertEqual(len(hole["ids"]), 2)
         self.assertEqual([p["kind"] for p in hole["patches"]], ["cylinder"])
@@ -91,8 +91,8 @@ class Sewing(Case):
         self.assertEqual((shape["solids"], shape["free_edges"], shape["valid"]), (1, 0, True))
 
     def test_flank_of_a_thread_is_ruled_between_its_edges(self):
-        # Sharp along the thread, as the lost flank was: tangency there is given up.
-        document, shape = self.filled("detect/helical_flank.brep", "--hole", "2", code=OUT_OF_TOLERANCE)
+        # Sharp along the thread, as the lost flank was: its border leaves the neighbours' planes.
+        document, shape = self.filled("detect/helical_flank.brep", "--hole", "2")
         (hole,) = [h for h in document["holes"] if h["status"] == "filled"]
         self.assertEqual(hole["method_used"], "quad")
         self.assertLess(hole["max_gap"], 1e-5)
