@@ -85,6 +85,24 @@ std::string figures(const FillResult& fill, const FillMeasures& measures) {
     return text;
 }
 
+/// What is most out of tolerance, where it is none of the figures that are told anyway.
+std::string worst_of(const Judgement& verdict) {
+    if (verdict.within()) {
+        return {};
+    }
+    const Finding& worst = verdict.findings.front();
+    for (const FindingKind told : {FindingKind::Gap, FindingKind::Angle, FindingKind::Curvature}) {
+        if (worst.kind == told) {
+            return {};
+        }
+    }
+    Finding anywhere;
+    anywhere.kind = worst.kind;
+    anywhere.value = worst.value;
+    anywhere.limit = worst.limit;
+    return to_text(anywhere) + "; ";
+}
+
 /// One sentence on a candidate: "occt: 1.5 times the tolerance (gap ...)".
 std::string sentence(const std::string& name, const Judgement& verdict, const FillResult& fill,
                      const FillMeasures& measures) {
@@ -94,7 +112,7 @@ std::string sentence(const std::string& name, const Judgement& verdict, const Fi
     const std::string what = verdict.within()
                                  ? "within tolerance"
                                  : fmt::format("{:.3g} times the tolerance", verdict.score);
-    return fmt::format("{}: {} ({})", name, what, figures(fill, measures));
+    return fmt::format("{}: {} ({}{})", name, what, worst_of(verdict), figures(fill, measures));
 }
 
 /// Candidates for one hole, one after the other, and the best of them.
@@ -215,6 +233,7 @@ class Contest {
             choice.verdict = judge_fill(wanted, trial->measures);
         }
         choice.measures = std::move(trial->measures);
+        choice.placements = std::move(trial->placements);
         return choice;
     }
 

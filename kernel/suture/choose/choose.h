@@ -22,6 +22,7 @@ struct Choice {
     std::string method;
     FillResult fill;
     FillMeasures measures;
+    std::vector<Placement> placements;  ///< of the hole's edges on the new faces
     Judgement verdict;
     std::string reason;
     double seconds = 0.0;  ///< in the fill methods, all that were tried

@@ -109,7 +109,7 @@ Result<Trial> try_fill(const Site& site, const Hole& hole, const FillResult& fil
                        const Tolerance& tolerance, const Progress& progress) {
     return occ::guarded("trying the new face", [&]() -> Result<Trial> {
         const CopiedHole copied = copy_of(site);
-        const auto made = make_faces(copied.loops, hole, fill);
+        auto made = make_faces(copied.loops, hole, fill);
         if (!made) {
             return tl::unexpected(made.error());
         }
@@ -121,7 +121,12 @@ Result<Trial> try_fill(const Site& site, const Hole& hole, const FillResult& fil
             }
         }
         const auto asked = hole.through.end() - static_cast<std::ptrdiff_t>(site.guides);
-        return measure(copied, {hole.through.begin(), asked}, made->faces, tolerance, progress);
+        auto trial =
+            measure(copied, {hole.through.begin(), asked}, made->faces, tolerance, progress);
+        if (trial) {
+            trial->placements = std::move(made->placements);
+        }
+        return trial;
     });
 }
 

@@ -5,6 +5,7 @@
 #include "suture/base/tolerance.h"
 #include "suture/check/fill_measures.h"
 #include "suture/detect/boundary_loop.h"
+#include "suture/faces/put_on_surface.h"
 #include "suture/fill/fill.h"
 #include "suture/model/patch.h"
 #include "suture/model/ribbon.h"
@@ -34,7 +35,8 @@ struct Site {
 struct Trial {
     TopoDS_Compound model;
     FillPlace place;
-    FillMeasures measures;  ///< all but the clashes
+    FillMeasures measures;              ///< all but the clashes
+    std::vector<Placement> placements;  ///< of the edges on the new faces
 };
 
 /// Refuses  a face that OCCT's BRepCheck does not accept.

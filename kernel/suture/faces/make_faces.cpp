@@ -112,21 +112,18 @@ class PlacedFaces::Maker {
 
     /// Finds all curves on the new surfaces, on all cores: most of the work, and it changes
     /// nothing.
-    [[nodiscard]] Result<void> place() {
-        std::vector<std::pair<const Sheet*, Laid*>> all;
-        for (Sheet& sheet : sheets_) {
-            for (std::vector<Laid>& wire : sheet.wires) {
-                for (Laid& laid : wire) {
-                    all.emplace_back(&sheet, &laid);
-                }
-            }
-        }
+    [[nodiscard]] Result<void> place(const std::vector<Placement>& known) {
+        const std::vector<std::pair<const Sheet*, Laid*>> all = uses();
         std::vector<Result<void>> placed(all.size());
         // Isolated: a thread that waits here must not begin another hole.
         tbb::this_task_arena::isolate([&] {
             tbb::parallel_for(std::size_t{0}, all.size(), [&](std::size_t i) {
                 const Sheet* sheet = all[i].first;
                 Laid* laid = all[i].second;
+                if (i < known.size() && known[i].holds_for(laid->edge)) {
+                    laid->placement = known[i];
+                    return;
+                }
                 placed[i] = occ::guarded("a curve on a new face", [&] {
                     laid->placement = place_on_surface(laid->edge, sheet->surface, laid->at,
                                                        sheet->ends, accuracy_);
@@ -141,10 +138,26 @@ class PlacedFaces::Maker {
         for (const Sheet& sheet : sheets_) {
             made_.faces.push_back(face_of(sheet));
         }
+        for (const auto& [sheet, laid] : uses()) {
+            made_.placements.push_back(laid->placement);
+        }
         return std::move(made_);
     }
 
   private:
+    /// Of all edges by the new faces, in the order of the patches' wires.
+    [[nodiscard]] std::vector<std::pair<const Sheet*, Laid*>> uses() {
+        std::vector<std::pair<const Sheet*, Laid*>> all;
+        for (Sheet& sheet : sheets_) {
+            for (std::vector<Laid>& wire : sheet.wires) {
+                for (Laid& laid : wire) {
+                    all.emplace_back(&sheet, &laid);
+                }
+            }
+        }
+        return all;
+    }
+
     /// On a neighbour's own surface, which has parameters of its own.
     void lay_out_on(const OwnForm& own, const Patch& patch) {
         Sheet& sheet = sheets_.emplace_back(Sheet{&patch, own.surface, Ends::Feet, {}});
@@ -256,7 +269,7 @@ Result<NewFaces> PlacedFaces::make() {
 }
 
 Result<PlacedFaces> place_faces(const std::vector<BoundaryLoop>& loops, const Hole& hole,
-                                const FillResult& result) {
+                                const FillResult& result, const std::vector<Placement>& known) {
     return occ::guarded("making the new face", [&]() -> Result<PlacedFaces> {
         auto maker = std::make_unique<PlacedFaces::Maker>(loops, hole, result);
         for (const Patch& patch : result.patches) {
@@ -264,7 +277,7 @@ Result<PlacedFaces> place_faces(const std::vector<BoundaryLoop>& loops, const Ho
                 return tl::unexpected(laid.error());
             }
         }
-        if (const auto placed = maker->place(); !placed) {
+        if (const auto placed = maker->place(known); !placed) {
             return tl::unexpected(placed.error());
         }
         return PlacedFaces(std::move(maker));

@@ -143,9 +143,17 @@ class Mark {
     void unite_knots() {
         const auto insert = [](const Handle<Geom2d_BSplineCurve>& from,
                                const Handle<Geom2d_BSplineCurve>& into) {
-            for (int k = 2; k < from->NbKnots(); ++k) {
-                into->InsertKnot(from->Knot(k), from->Multiplicity(k), 0.0);
+            const int inner = from->NbKnots() - 2;
+            if (inner == 0) {
+                return;
             }
+            TColStd_Array1OfReal knots(1, inner);
+            TColStd_Array1OfInteger multiplicities(1, inner);
+            for (int k = 1; k <= inner; ++k) {
+                knots(k) = from->Knot(k + 1);
+                multiplicities(k) = from->Multiplicity(k + 1);
+            }
+            into->InsertKnots(knots, multiplicities);
         };
         if (shape_->Degree() < marked_->Degree()) {
             shape_->IncreaseDegree(marked_->Degree());

@@ -40,10 +40,11 @@ constexpr double kUnitSpeed = 1e-12;
 constexpr double kRoundedSpeed = 1e-9;
 constexpr double kOfAccuracy = 1e-2;
 
+/// The largest distance of a fitted curve, or one that is not below what is beaten only so.
 double distance(const Curve& at, const Geom2d_Curve& curve, const Geom_Surface& surface,
-                double first, double last, int intervals) {
+                double first, double last, int intervals, double beaten = INFINITY) {
     double largest = 0.0;
-    for (int k = 0; k < intervals; ++k) {
+    for (int k = 0; k < intervals && largest < beaten; ++k) {
         // Off-centre: an interpolant's error can vanish in the middle by symmetry.
         const double t = first + (last - first) * (k + 0.4) / intervals;
         const gp_Pnt2d fitted = curve.Value(t);
@@ -149,7 +150,7 @@ Handle<Geom2d_Curve> fit_pcurve(const Curve& at, double first, double last,
         best_distance = distance(at, *best, surface, first, last, kFewestPoints);
     }
     const auto take = [&](const Handle<Geom2d_Curve>& curve, int intervals) {
-        const double d = distance(at, *curve, surface, first, last, intervals);
+        const double d = distance(at, *curve, surface, first, last, intervals, best_distance);
         if (d < best_distance) {
             best = curve;
             best_distance = d;

@@ -38,6 +38,9 @@ constexpr int kSections = 28;
 /// Peaks this much lower than the highest sample cannot hide the largest distance.
 constexpr double kWorthALook = 0.8;
 
+/// Below this no peak between the samples can ask for a tolerance: rounding alone has hundreds.
+const double kUnseen = 0.01 * Precision::Confusion();
+
 /// A tolerance covers the largest distance found and a little more.
 constexpr double kMargin = 1.01;
 
@@ -68,14 +71,22 @@ double peak(const std::function<double(double)>& f, double low, double high) {
 
 /// The largest distance along an edge: BRepCheck samples elsewhere than we do, so that the peaks
 /// count.
+///
+/// Input    enough: a distance above which no larger one is looked for.
 double largest_along(double first, double last, const std::function<double(double)>& distance,
-                     int intervals = kSamples) {
+                     int intervals = kSamples, double enough = INFINITY) {
     const auto parameter = [&](int k) { return first + (last - first) * k / intervals; };
     std::vector<double> samples;
     for (int k = 0; k <= intervals; ++k) {
         samples.push_back(distance(parameter(k)));
+        if (samples.back() > enough) {
+            return samples.back();
+        }
     }
     const double highest = *std::max_element(samples.begin(), samples.end());
+    if (highest < kUnseen) {
+        return highest;
+    }
     double largest = highest;
     for (int k = 0; k <= intervals; ++k) {
         const int before = std::max(k - 1, 0);
@@ -88,8 +99,10 @@ double largest_along(double first, double last, const std::function<double(doubl
     return largest;
 }
 
-/// A pcurve need not be nearer to the feet than this share of the gap that they leave.
+/// A pcurve need not be nearer to the feet than this share of the gap that they leave, for which so
+/// many samples are enough.
 constexpr double kShareOfGap = 1e-3;
+constexpr int kGapSamples = 50;
 
 /// An edge's own curve.
 struct Course {
@@ -101,16 +114,30 @@ struct Course {
         : edge(TopoDS::Edge(of.Oriented(TopAbs_FORWARD))),
           curve(BRep_Tool::Curve(edge, first, last)) {}
 
+    [[nodiscard]] std::array<gp_Pnt, 2> ends() const {
+        return {BRep_Tool::Pnt(TopExp::FirstVertex(edge)),
+                BRep_Tool::Pnt(TopExp::LastVertex(edge))};
+    }
+
+    [[nodiscard]] Placement placement(const Handle<Geom2d_Curve>& pcurve, double gap,
+                                      double reach) const {
+        Placement found{pcurve, gap, reach, {}, {}, ends()};
+        double from = 0.0;
+        double to = 0.0;
+        found.curve = BRep_Tool::Curve(edge, found.location, from, to);
+        return found;
+    }
+
     /// The largest distance to the points of a surface at the same parameter.
     [[nodiscard]] double distance(const Geom_Surface& surface, const Trim& at,
-                                  int intervals = kSamples) const {
+                                  int intervals = kSamples, double enough = INFINITY) const {
         return largest_along(
             first, last,
             [&](double t) {
                 const Eigen::Vector2d uv = at(t);
                 return curve->Value(t).Distance(surface.Value(uv.x(), uv.y()));
             },
-            intervals);
+            intervals, enough);
     }
 
     [[nodiscard]] double distance(const Geom_Surface& surface,
@@ -125,20 +152,19 @@ struct Course {
     /// The curve on the surface: where the layout has it if that is the place, else at the feet.
     [[nodiscard]] Handle<Geom2d_Curve> laid(const Handle<Geom_Surface>& surface, const Trim& at,
                                             Ends ends, double accuracy) const {
-        if (distance(*surface, at) <= accuracy) {
+        if (distance(*surface, at, kSamples, accuracy) <= accuracy) {
             return fit_pcurve(at, first, last, *surface, accuracy, Pieces::Few);
         }
         std::array<Eigen::Vector2d, 2> fixed{at(first), at(last)};
         if (ends == Ends::Feet) {
-            const std::array vertices{TopExp::FirstVertex(edge), TopExp::LastVertex(edge)};
+            const std::array<gp_Pnt, 2> vertices = this->ends();
             for (std::size_t i = 0; i < fixed.size(); ++i) {
-                fixed[i] =
-                    foot_point(occ::from_occ(BRep_Tool::Pnt(vertices[i])), *surface, fixed[i]);
+                fixed[i] = foot_point(occ::from_occ(vertices[i]), *surface, fixed[i]);
             }
         }
         const Trim feet = foot_points(curve, first, last, surface, at, fixed);
         // A gap that a file has to show is marked between knots: mark_gap.h.
-        const double gap = distance(*surface, feet);
+        const double gap = distance(*surface, feet, kGapSamples);
         return fit_pcurve(feet, first, last, *surface, std::max(accuracy, kShareOfGap * gap),
                           gap > Precision::Confusion() ? Pieces::Cubic : Pieces::Few);
     }
@@ -148,7 +174,7 @@ struct Course {
         const Handle<Geom2d_Curve> plain = laid(surface, at, ends, accuracy);
         const double gap = distance(*surface, plain);
         const Handle<Geom2d_Curve> marked = mark_gap(curve, first, last, surface, plain, gap);
-        return {marked, gap, marked == plain ? gap : distance(*surface, marked)};
+        return placement(marked, gap, marked == plain ? gap : distance(*surface, marked));
     }
 };
 
@@ -176,6 +202,12 @@ Handle<Geom2d_Curve> as_spline(const Handle<Geom2d_Curve>& line, const TopoDS_Ed
 
 }  // namespace
 
+bool Placement::holds_for(const TopoDS_Edge& edge) const {
+    const Placement other = Course(edge).placement({}, 0.0, 0.0);
+    return other.curve == curve && other.location == location &&
+           other.ends[0].IsEqual(ends[0], 0.0) && other.ends[1].IsEqual(ends[1], 0.0);
+}
+
 Placement place_on_surface(const TopoDS_Edge& edge, const Handle<Geom_Surface>& surface,
                            const Trim& at, Ends ends, double accuracy) {
     const Course course(edge);
@@ -184,7 +216,7 @@ Placement place_on_surface(const TopoDS_Edge& edge, const Handle<Geom_Surface>& 
         const double gap = largest_along(course.first, course.last, [&](double t) {
             return pln.Distance(course.curve->Value(t));
         });
-        return {{}, gap, gap};
+        return course.placement({}, gap, gap);
     }
     return course.on(surface, at, ends, accuracy);
 }

@@ -15,20 +15,20 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-using Placed = std::optional<Result<PlacedFaces>>;
+using PlacedFill = std::optional<Result<PlacedFaces>>;
 
 /// Where the faces of the fills lie on the shape's own edges.
-std::vector<Placed> place_all(const TopoDS_Shape& shape, std::vector<ComputedFill>& fills) {
+std::vector<PlacedFill> place_all(const TopoDS_Shape& shape, std::vector<ComputedFill>& fills) {
     for (ComputedFill& fill : fills) {
         if (fill.report.status == FillStatus::Filled) {
             unite_corners(shape, fill.loops);
         }
     }
-    std::vector<Placed> placed(fills.size());
+    std::vector<PlacedFill> placed(fills.size());
     tbb::parallel_for(std::size_t{0}, fills.size(), [&](std::size_t i) {
         const ComputedFill& fill = fills[i];
         if (fill.report.status == FillStatus::Filled) {
-            placed[i] = place_faces(fill.loops, fill.hole, fill.fill);
+            placed[i] = place_faces(fill.loops, fill.hole, fill.fill, fill.placements);
         }
     });
     return placed;
@@ -60,7 +60,7 @@ void apply_fill(Result<PlacedFaces>& placed, ComputedFill& fill, FillOutcome& ou
 Result<FillOutcome> apply_fills(const TopoDS_Shape& shape, std::vector<ComputedFill> fills) {
     const auto start = Clock::now();
     FillOutcome outcome;
-    std::vector<Placed> placed = place_all(shape, fills);
+    std::vector<PlacedFill> placed = place_all(shape, fills);
     for (std::size_t i = 0; i < fills.size(); ++i) {
         ComputedFill& fill = fills[i];
         if (placed[i]) {

@@ -123,6 +123,7 @@ void take(Choice choice, const FillRequest& request, ComputedFill& computed) {
     report.status = FillStatus::Filled;
     report.recognised = std::move(choice.recognised);
     computed.fill = std::move(choice.fill);
+    computed.placements = std::move(choice.placements);
 }
 
 ComputedFill compute_fill(const TopoDS_Shape& shape, const HolePlan& plan,

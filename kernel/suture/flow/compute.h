@@ -2,6 +2,7 @@
 
 #include "suture/choose/report.h"
 #include "suture/choose/request.h"
+#include "suture/faces/put_on_surface.h"
 #include "suture/flow/plan.h"
 #include "suture/model/patch.h"
 
@@ -12,8 +13,9 @@ namespace suture {
 /// The fill that a hole gets, and what became of the search for it.
 struct ComputedFill {
     std::vector<BoundaryLoop> loops;
-    Hole hole;          ///< with the continuity that was asked for in the end
-    FillResult fill;    ///< only where report.status is Filled
+    Hole hole;                          ///< with the continuity that was asked for in the end
+    FillResult fill;                    ///< only where report.status is Filled
+    std::vector<Placement> placements;  ///< of copies of the hole's edges on its faces
     HoleReport report;  ///< Filled: to be applied; Refused: why, with the figures of the best try
     double seconds_fill = 0.0;    ///< in the fill methods themselves
     double seconds_choose = 0.0;  ///< in these, and in making and judging what each one gave

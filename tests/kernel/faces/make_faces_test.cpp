@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <BRepCheck_Analyzer.hxx>
+#include <BRep_Builder.hxx>
 #include <Geom2d_Curve.hxx>
 #include <Geom_Curve.hxx>
 
@@ -239,6 +240,57 @@ TEST(MakeFaces, StandsAtTheFeetOfEdgesThatTheLayoutMisses) {
         EXPECT_LT(end_of(sides[i], false).Distance(end_of(sides[(i + 1) % sides.size()], true)),
                   1e-12);
     }
+}
+
+/// Where the layout has the sides, a little off in every direction: not the same twice.
+void shake(FillResult& fill, double by) {
+    for (EdgeUse& use : fill.patches.front().wires.front()) {
+        use.at = [exact = use.at, by](double s) -> Eigen::Vector2d {
+            return exact(s) + by * Eigen::Vector2d(std::cos(7.0 * s), std::sin(7.0 * s));
+        };
+    }
+}
+
+TEST(PlaceFaces, TakesWhatIsKnownOfTheSameEdges) {
+    for (const auto& [name, shape, scale] : test::open_shells()) {
+        SCOPED_TRACE(name);
+        for (OpenHole& open : test::holes_of(shape)) {
+            const auto first = make_faces(open.loops, open.hole, open.fill);
+            ASSERT_TRUE(first) << first.error().message;
+            ASSERT_EQ(first->placements.size(), open.loops.front().edges.size());
+            // Another layout would give other curves, if it were asked.
+            shake(open.fill, 0.01);
+            auto placed = place_faces(open.loops, open.hole, open.fill, first->placements);
+            ASSERT_TRUE(placed) << placed.error().message;
+            const auto again = placed->make();
+            ASSERT_TRUE(again) << again.error().message;
+            EXPECT_EQ(again->max_gap, first->max_gap);
+            for (std::size_t i = 0; i < first->placements.size(); ++i) {
+                EXPECT_EQ(again->placements[i].pcurve, first->placements[i].pcurve);
+            }
+        }
+    }
+}
+
+TEST(PlaceFaces, LooksAnewWhereAVertexHasMoved) {
+    constexpr double kHeight = 1e-4;
+    OpenHole open = test::holes_of(test::box_without({0})).front();
+    const auto first = make_faces(open.loops, open.hole, open.fill);
+    ASSERT_TRUE(first) << first.error().message;
+    shift(open.fill, kHeight);
+    const TopoDS_Vertex moved = TopExp::FirstVertex(open.loops.front().edges.front().edge);
+    BRep_Builder().UpdateVertex(moved, BRep_Tool::Pnt(moved).Translated(gp_Vec(0.0, 0.0, 1e-9)),
+                                BRep_Tool::Tolerance(moved));
+    auto placed = place_faces(open.loops, open.hole, open.fill, first->placements);
+    ASSERT_TRUE(placed) << placed.error().message;
+    const auto made = placed->make();
+    ASSERT_TRUE(made) << made.error().message;
+    int anew = 0;
+    for (const Placement& placement : made->placements) {
+        anew += placement.gap > 0.5 * kHeight ? 1 : 0;
+    }
+    EXPECT_EQ(anew, 2);
+    EXPECT_NEAR(made->max_gap, kHeight, 1e-9);
 }
 
 TEST(MakeFaces, RefusesASurfaceBeyondOcctsHighestDegree) {
