@@ -327,6 +327,30 @@ class FilletCorner {
         }
     }
 
+    /// What a model of the corner is made of: one fillet, a part of a cylinder.
+    struct Strip {
+        Eigen::Matrix3d frame;        ///< columns: towards angle 0, a quarter turn on, along
+        Eigen::Vector3d axis;         ///< a point of it
+        double radius, angle;         ///< it runs from angle 0 to this one
+        double from, to;              ///< the tight hole's border on it at either angle: along
+        double outwards;              ///< 1 or -1: in which sense along leads away from the corner
+        Eigen::Vector3d first, last;  ///< points of its lines at either angle
+        Eigen::Vector3d direction;    ///< of the edge that it rounds, away from the corner
+        Eigen::Vector3d meeting;      ///< where it meets the next one in the tight hole
+    };
+    [[nodiscard]] std::vector<Strip> strips() const {
+        std::vector<Strip> result;
+        for (std::size_t i = 0; i < edges_.size(); ++i) {
+            const Fillet& f = fillets_[i];
+            const Eigen::Vector3d& e = edges_[i].direction;
+            result.push_back({f.frame, f.axis, edges_[i].radius, f.angle,
+                              height(i, meeting((i + edges_.size() - 1) % edges_.size())),
+                              height(i, meeting(i)), e.dot(f.along) > 0.0 ? 1.0 : -1.0, f.first,
+                              f.last, e, meeting(i)});
+        }
+        return result;
+    }
+
     /// The hole of n sides whose corners are where neighbouring fillets meet on a plane: n fillets.
     [[nodiscard]] Hole tight(Continuity continuity = Continuity::G1) const {
         std::vector<Ribbon> ribbons;
@@ -374,6 +398,8 @@ class FilletCorner {
         double angle;                 // between the planes' normals
         Eigen::Vector3d along;        // unit vector in which the surface's second parameter grows
         Eigen::Vector3d first, last;  // points of the lines in which it touches the two planes
+        Eigen::Matrix3d frame;
+        Eigen::Vector3d axis;
     };
 
     // Of the plane between edges i and i + 1.
@@ -405,8 +431,13 @@ class FilletCorner {
         frame.col(0) = sign * before;
         frame.col(1) = sign * (after - after.dot(before) * before).normalized();
         frame.col(2) = sign * frame.col(0).cross(frame.col(1));
-        return {moved(cylinder(r), frame, axis), std::acos(before.dot(after)), frame.col(2),
-                axis + sign * r * before, axis + sign * r * after};
+        return {moved(cylinder(r), frame, axis),
+                std::acos(before.dot(after)),
+                frame.col(2),
+                axis + sign * r * before,
+                axis + sign * r * after,
+                frame,
+                axis};
     }
 
     std::vector<FilletedEdge> edges_;
