@@ -114,6 +114,22 @@ class Overhead(unittest.TestCase):
         self.assertEqual(self.seconds_of("mvs"), 1.0)
 
 
+    def test_the_median_of_whole_runs_is_that_of_large_files(self):
+        def row(size, ratio):
+            return {
+                "case": "c", "bytes": size, "method": "mvs", "ratio": 1.0, "names_ratio": 1.0, "cpu_ratio": 1.0,
+                "whole_ratio": ratio, "bare_seconds": 1.0, "names_seconds": 1.0, "seconds": 1.0, "stages": {},
+                "peak_bytes": 1, "bare_peak_bytes": 1,
+            }  # fmt: skip
+
+        rows = [row(9e5, 1.5), row(4e5, 9.0), row(6e5, 1.25), row(2e6, 1.0)]
+        text = tables.overhead_section({"runs": 1, "rows": rows})
+        self.assertIn("of files above 0.5 MB 1.25 in the median of 3.", text)
+        refused = {"case": "c", "bytes": 1, "method": None, "reason": "none fills it"}
+        lines = tables.overhead_section({"runs": 1, "rows": [rows[0], refused]}).splitlines()
+        self.assertEqual(len({line.count("|") for line in lines if line.startswith("|")}), 1)
+
+
 class JudgeCost(unittest.TestCase):
     def test_the_share_of_a_function_is_that_of_its_name_alone(self):
         report = (
