@@ -5,7 +5,7 @@
 #include "suture/base/tolerance.h"
 #include "suture/check/fill_measures.h"
 #include "suture/detect/boundary_loop.h"
-#include "suture/faces/put_on_surface.h"
+#include "suture/faces/placement.h"
 #include "suture/fill/fill.h"
 #include "suture/model/patch.h"
 #include "suture/model/ribbon.h"

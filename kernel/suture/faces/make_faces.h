@@ -2,7 +2,7 @@
 
 #include "suture/base/result.h"
 #include "suture/detect/boundary_loop.h"
-#include "suture/faces/put_on_surface.h"
+#include "suture/faces/placement.h"
 #include "suture/model/patch.h"
 #include "suture/model/ribbon.h"
 

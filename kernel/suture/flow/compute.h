@@ -2,7 +2,7 @@
 
 #include "suture/choose/report.h"
 #include "suture/choose/request.h"
-#include "suture/faces/put_on_surface.h"
+#include "suture/faces/placement.h"
 #include "suture/flow/plan.h"
 #include "suture/model/patch.h"
 
