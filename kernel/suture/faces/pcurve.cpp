@@ -40,11 +40,11 @@ constexpr double kUnitSpeed = 1e-12;
 constexpr double kRoundedSpeed = 1e-9;
 constexpr double kOfAccuracy = 1e-2;
 
-/// The largest distance of a fitted curve, or one that is not below what is beaten only so.
+/// The largest distance of a fitted curve; where that is not below `best`, any that is not either.
 double distance(const Curve& at, const Geom2d_Curve& curve, const Geom_Surface& surface,
-                double first, double last, int intervals, double beaten = INFINITY) {
+                double first, double last, int intervals, double best = INFINITY) {
     double largest = 0.0;
-    for (int k = 0; k < intervals && largest < beaten; ++k) {
+    for (int k = 0; k < intervals && largest < best; ++k) {
         // Off-centre: an interpolant's error can vanish in the middle by symmetry.
         const double t = first + (last - first) * (k + 0.4) / intervals;
         const gp_Pnt2d fitted = curve.Value(t);

@@ -29,4 +29,9 @@ struct Placement {
     [[nodiscard]] bool holds_for(const TopoDS_Edge& edge) const;
 };
 
+/// What was found for an edge. Input as in Placement.
+[[nodiscard]] Placement placement_of(const TopoDS_Edge& edge,
+                                     const occ::Handle<Geom2d_Curve>& pcurve, double gap,
+                                     double reach);
+
 }  // namespace suture

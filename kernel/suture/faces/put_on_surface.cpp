@@ -114,20 +114,6 @@ struct Course {
         : edge(TopoDS::Edge(of.Oriented(TopAbs_FORWARD))),
           curve(BRep_Tool::Curve(edge, first, last)) {}
 
-    [[nodiscard]] std::array<gp_Pnt, 2> ends() const {
-        return {BRep_Tool::Pnt(TopExp::FirstVertex(edge)),
-                BRep_Tool::Pnt(TopExp::LastVertex(edge))};
-    }
-
-    [[nodiscard]] Placement placement(const Handle<Geom2d_Curve>& pcurve, double gap,
-                                      double reach) const {
-        Placement found{pcurve, gap, reach, {}, {}, ends()};
-        double from = 0.0;
-        double to = 0.0;
-        found.curve = BRep_Tool::Curve(edge, found.location, from, to);
-        return found;
-    }
-
     /// The largest distance to the points of a surface at the same parameter.
     [[nodiscard]] double distance(const Geom_Surface& surface, const Trim& at,
                                   int intervals = kSamples, double enough = INFINITY) const {
@@ -157,9 +143,10 @@ struct Course {
         }
         std::array<Eigen::Vector2d, 2> fixed{at(first), at(last)};
         if (ends == Ends::Feet) {
-            const std::array<gp_Pnt, 2> vertices = this->ends();
+            const std::array vertices{TopExp::FirstVertex(edge), TopExp::LastVertex(edge)};
             for (std::size_t i = 0; i < fixed.size(); ++i) {
-                fixed[i] = foot_point(occ::from_occ(vertices[i]), *surface, fixed[i]);
+                fixed[i] =
+                    foot_point(occ::from_occ(BRep_Tool::Pnt(vertices[i])), *surface, fixed[i]);
             }
         }
         const Trim feet = foot_points(curve, first, last, surface, at, fixed);
@@ -174,7 +161,7 @@ struct Course {
         const Handle<Geom2d_Curve> plain = laid(surface, at, ends, accuracy);
         const double gap = distance(*surface, plain);
         const Handle<Geom2d_Curve> marked = mark_gap(curve, first, last, surface, plain, gap);
-        return placement(marked, gap, marked == plain ? gap : distance(*surface, marked));
+        return placement_of(edge, marked, gap, marked == plain ? gap : distance(*surface, marked));
     }
 };
 
@@ -202,12 +189,6 @@ Handle<Geom2d_Curve> as_spline(const Handle<Geom2d_Curve>& line, const TopoDS_Ed
 
 }  // namespace
 
-bool Placement::holds_for(const TopoDS_Edge& edge) const {
-    const Placement other = Course(edge).placement({}, 0.0, 0.0);
-    return other.curve == curve && other.location == location &&
-           other.ends[0].IsEqual(ends[0], 0.0) && other.ends[1].IsEqual(ends[1], 0.0);
-}
-
 Placement place_on_surface(const TopoDS_Edge& edge, const Handle<Geom_Surface>& surface,
                            const Trim& at, Ends ends, double accuracy) {
     const Course course(edge);
@@ -216,7 +197,7 @@ Placement place_on_surface(const TopoDS_Edge& edge, const Handle<Geom_Surface>& 
         const double gap = largest_along(course.first, course.last, [&](double t) {
             return pln.Distance(course.curve->Value(t));
         });
-        return course.placement({}, gap, gap);
+        return placement_of(edge, {}, gap, gap);
     }
     return course.on(surface, at, ends, accuracy);
 }
