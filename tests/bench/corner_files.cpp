@@ -1,8 +1,7 @@
 /// The corners of suture_corners as models: open shells of fillets and the planes between them, in
 /// STEP files. By corner_files.py.
 ///     corner_files FOLDER
-#include "support/ribbon_zoo.h"
-
+#include "bench/corner_list.h"
 #include <fmt/format.h>
 
 #include <BRepBuilderAPI_MakeEdge.hxx>
@@ -20,17 +19,17 @@
 #include <TopoDS_Face.hxx>
 #include <gp_Ax3.hxx>
 
+#include <algorithm>
 #include <array>
 #include <string>
 #include <vector>
 
 namespace {
 
-using suture::zoo::FilletCorner;
-using Strip = FilletCorner::Strip;
+using suture::bench::kSetBack;
+using Strip = suture::zoo::FilletCorner::Strip;
 
-constexpr double kFar = 8.0;      // where the model ends, from the corner
-constexpr double kSetBack = 2.7;  // as in suture_corners
+constexpr double kFar = 8.0;  // where the model ends, from the corner
 constexpr double kCurveTolerance = 1e-9;
 constexpr double kSewingTolerance = 1e-6;
 
@@ -76,8 +75,9 @@ TopoDS_Face plane_face(const Strip& strip, const Strip& next, bool tight) {
     return BRepBuilderAPI_MakeFace(polygon.Wire(), Standard_True);
 }
 
-TopoDS_Shape model_of(const FilletCorner& corner, bool tight) {
-    const std::vector<Strip> strips = corner.strips();
+TopoDS_Shape model_of(const suture::bench::Corner& corner) {
+    const bool tight = corner.tight;
+    const std::vector<Strip> strips = corner.fillets().strips();
     BRepBuilderAPI_Sewing sewing(kSewingTolerance);
     for (std::size_t i = 0; i < strips.size(); ++i) {
         const Strip& strip = strips[i];
@@ -97,24 +97,16 @@ int main(int argc, char** argv) {
         return 1;
     }
     Message::DefaultMessenger()->ChangePrinters().Clear();
-    struct Kind {
-        double rise, vary;
-    };
-    for (const auto& [rise, vary] : {Kind{0.0, 0.5}, Kind{0.0, 1.0}, Kind{0.35, 0.5}}) {
-        for (int edges = 3; edges <= 8; ++edges) {
-            for (const bool tight : {true, false}) {
-                const auto corner = suture::zoo::fillet_corner(edges, 0.6, rise, vary);
-                const std::string file =
-                    fmt::format("{}/{}_edges_rise_{}_vary_{}_{}.step", argv[1], edges, rise, vary,
-                                tight ? "tight" : "set_back");
-                STEPControl_Writer writer;
-                if (writer.Transfer(model_of(corner, tight), STEPControl_AsIs) !=
-                        IFSelect_RetDone ||
-                    writer.Write(file.c_str()) != IFSelect_RetDone) {
-                    fmt::print(stderr, "{} cannot be written\n", file);
-                    return 2;
-                }
-            }
+    for (const suture::bench::Corner& corner : suture::bench::corners()) {
+        std::string name = corner.name();
+        std::erase(name, ',');
+        std::ranges::replace(name, ' ', '_');
+        const std::string file = fmt::format("{}/{}.step", argv[1], name);
+        STEPControl_Writer writer;
+        if (writer.Transfer(model_of(corner), STEPControl_AsIs) != IFSelect_RetDone ||
+            writer.Write(file.c_str()) != IFSelect_RetDone) {
+            fmt::print(stderr, "{} cannot be written\n", file);
+            return 2;
         }
     }
 }

@@ -3,10 +3,10 @@
 /// poles, what the curvature jumps by inside, and seconds of CPU. Prints one line for each and the
 /// share within 0.01 degrees: by hand, suture_corners [work [first [last]]], with the share of
 /// mvs's own budget (auto's is 0.3) and the rows to run, from 0 on.
-#include "support/ribbon_zoo.h"
 #include "support/trim_of.h"
 #include "suture/fill/mvs.h"
 
+#include "bench/corner_list.h"
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -145,42 +145,33 @@ int main(int argc, char** argv) {
     int within = 0;
     int count = 0;
     double slowest = 0.0;
-    struct Kind {
-        double slope, rise, vary;
-    };
-    for (const Kind& kind : {Kind{0.6, 0.0, 0.5}, Kind{0.6, 0.0, 1.0}, Kind{0.6, 0.35, 0.5}}) {
-        for (int edges = 3; edges <= 8; ++edges) {
-            for (const bool tight : {true, false}) {
-                ++row;
-                if (row < first || row > last) {
-                    continue;
-                }
-                const auto corner = zoo::fillet_corner(edges, kind.slope, kind.rise, kind.vary);
-                const Hole hole = tight ? corner.tight() : corner.setback(2.7);
-                const std::clock_t start = std::clock();
-                const auto fill = fill_mvs(hole, options);
-                const double seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
-                slowest = std::max(slowest, seconds);
-                ++count;
-                std::string text = fmt::format("{} edges, rise {}, vary {}, {}: ", edges, kind.rise,
-                                               kind.vary, tight ? "tight" : "set back");
-                if (fill) {
-                    const auto& s = std::get<SplineSurface>(fill->patches.front().surface);
-                    const Measured worst = measure(hole, *fill);
-                    within += worst.angle <= 0.01 ? 1 : 0;
-                    poles.push_back(static_cast<double>(s.poles.cols()));
-                    const double jump = jump_inside(hole, *fill);
-                    jumps.push_back(jump);
-                    text +=
-                        fmt::format("{:.3g} deg, gap {:.2g}, {} x {} poles, jump inside {:.2g} %",
-                                    worst.angle, worst.gap, s.count_u(), s.count_v(), 100.0 * jump);
-                } else {
-                    text += fill.error().message;
-                }
-                fmt::print("{}, {:.2f} s\n", text, seconds);
-                std::fflush(stdout);
-            }
+    for (const bench::Corner& corner : bench::corners()) {
+        ++row;
+        if (row < first || row > last) {
+            continue;
         }
+        const auto fillets = corner.fillets();
+        const Hole hole = corner.tight ? fillets.tight() : fillets.setback(bench::kSetBack);
+        const std::clock_t start = std::clock();
+        const auto fill = fill_mvs(hole, options);
+        const double seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+        slowest = std::max(slowest, seconds);
+        ++count;
+        std::string text = corner.name() + ": ";
+        if (fill) {
+            const auto& s = std::get<SplineSurface>(fill->patches.front().surface);
+            const Measured worst = measure(hole, *fill);
+            within += worst.angle <= 0.01 ? 1 : 0;
+            poles.push_back(static_cast<double>(s.poles.cols()));
+            const double jump = jump_inside(hole, *fill);
+            jumps.push_back(jump);
+            text += fmt::format("{:.3g} deg, gap {:.2g}, {} x {} poles, jump inside {:.2g} %",
+                                worst.angle, worst.gap, s.count_u(), s.count_v(), 100.0 * jump);
+        } else {
+            text += fill.error().message;
+        }
+        fmt::print("{}, {:.2f} s\n", text, seconds);
+        std::fflush(stdout);
     }
     const auto seen = std::ranges::count_if(jumps, [](double jump) { return jump > 0.02; });
     fmt::print(

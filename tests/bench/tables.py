@@ -217,8 +217,8 @@ def overhead_section(result):
             continue
         rows.append([
             row["case"], size, row["method"], f"{row['ratio']:.2f}", f"{row['names_ratio']:.2f}",
-            f"{row['cpu_ratio']:.2f}", f"{row['whole_ratio']:.2f}", seconds(row["bare_seconds"]), seconds(row["names_seconds"]),
-            seconds(row["seconds"]),
+            f"{row['cpu_ratio']:.2f}", f"{row['whole_ratio']:.2f}", seconds(row["bare_seconds"]),
+            seconds(row["names_seconds"]), seconds(row["seconds"]),
             *(seconds(row["stages"].get(stage)) for stage in stages),
             f"{row['peak_bytes'] / row['bare_peak_bytes']:.2f}",
         ])  # fmt: skip

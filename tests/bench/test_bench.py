@@ -113,7 +113,6 @@ class Overhead(unittest.TestCase):
     def test_measuring_the_trial_of_one_method_is_overhead(self):
         self.assertEqual(self.seconds_of("mvs"), 1.0)
 
-
     def test_the_median_of_whole_runs_is_that_of_large_files(self):
         def row(size, ratio):
             return {
